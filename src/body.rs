@@ -1,0 +1,132 @@
+//! A body of rung one: a point with mass.
+
+use crate::error::Error;
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+use crate::time::TimeStep;
+use crate::vec2::Vec2;
+
+/// What the stages ask of a body. A body that keeps the remainders of its roundings implements
+/// the same four verbs and takes part in every scene.
+pub trait Body: Copy + 'static {
+    /// Its number type.
+    type S: Scalar;
+
+    /// Position of the centre of mass, m.
+    fn position(&self) -> Vec2<Self::S>;
+
+    /// Velocity of the centre of mass, m/s.
+    fn velocity(&self) -> Vec2<Self::S>;
+
+    /// One over its mass, 1/kg.
+    fn inv_mass(&self) -> <Self::S as Scalar>::InvMass;
+
+    /// `v += dv`: a change of velocity that is the same for every mass, m/s.
+    fn kick(&mut self, dv: Vec2<Self::S>);
+
+    /// `v += impulse / m`, kg m/s.
+    fn push(&mut self, impulse: Vec2<Self::S>);
+
+    /// `x += h v`.
+    fn drift(&mut self, step: &impl TimeStep<Self::S>);
+
+    /// `x += h/2 v`.
+    fn drift_half(&mut self, step: &impl TimeStep<Self::S>);
+
+    /// Whether every part of its state is away from the ends of the range and finite.
+    fn is_inside(&self) -> bool {
+        self.position().is_inside() && self.velocity().is_inside()
+    }
+}
+
+/// A point with mass in 20 bytes of any 32-bit scalar: position, velocity, inverse mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<S: Scalar> {
+    position: Vec2<S>,
+    velocity: Vec2<S>,
+    inv_mass: S::InvMass,
+}
+
+impl<S: Scalar> Point<S> {
+    /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg).
+    ///
+    /// Refuses a mass that is not positive or whose inverse the scalar cannot hold (32-bit fixed
+    /// point: from 0.5 g to 2000 t), and a state that is NaN or infinite.
+    ///
+    /// ```
+    /// use fixstep::{dec, vec2, Point, fixed::types::I16F16};
+    /// let ball = Point::<I16F16>::new(vec2(0, 10)?, vec2(3, 0)?, dec!(0.5))?;
+    /// assert!(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 0).is_err());
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    pub fn new(
+        position: Vec2<S>,
+        velocity: Vec2<S>,
+        mass: impl Into<Ratio>,
+    ) -> Result<Point<S>, Error> {
+        let (field, value) = ("mass", mass.into());
+        let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
+        let inv_mass = S::InvMass::new(inverse).ok_or(Error::OutOfRange { field, value })?;
+        finite("position", position)?;
+        finite("velocity", velocity)?;
+        Ok(Point { position, velocity, inv_mass })
+    }
+
+    /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
+    pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
+        finite("position", position)?;
+        self.position = position;
+        Ok(())
+    }
+
+    /// Gives the point another velocity. Refuses NaN and infinity.
+    pub fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
+        finite("velocity", velocity)?;
+        self.velocity = velocity;
+        Ok(())
+    }
+}
+
+/// A finite number less itself is zero; infinity and NaN give NaN.
+fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
+    if v - v == Vec2::ZERO { Ok(()) } else { Err(Error::NotFinite { field }) }
+}
+
+impl<S: Scalar> Body for Point<S> {
+    type S = S;
+
+    #[inline]
+    fn position(&self) -> Vec2<S> {
+        self.position
+    }
+
+    #[inline]
+    fn velocity(&self) -> Vec2<S> {
+        self.velocity
+    }
+
+    #[inline]
+    fn inv_mass(&self) -> S::InvMass {
+        self.inv_mass
+    }
+
+    #[inline]
+    fn kick(&mut self, dv: Vec2<S>) {
+        self.velocity += dv;
+    }
+
+    #[inline]
+    fn push(&mut self, impulse: Vec2<S>) {
+        self.velocity += impulse.scaled(self.inv_mass);
+    }
+
+    #[inline]
+    fn drift(&mut self, step: &impl TimeStep<S>) {
+        self.position += self.velocity.map(|v| step.of(v));
+    }
+
+    #[inline]
+    fn drift_half(&mut self, step: &impl TimeStep<S>) {
+        self.position += self.velocity.map(|v| step.half_of(v));
+    }
+}

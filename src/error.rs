@@ -1,0 +1,84 @@
+//! What a constructor says when it refuses a value, and what a full world hands back.
+
+use core::fmt;
+
+use crate::ratio::Ratio;
+
+/// Why a value was refused. Nothing is changed by the call that returns it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// The field must be greater than zero.
+    NotPositive {
+        /// Name of the argument.
+        field: &'static str,
+        /// Its value.
+        value: Ratio,
+    },
+    /// The field must not be less than zero.
+    Negative {
+        /// Name of the argument.
+        field: &'static str,
+        /// Its value.
+        value: Ratio,
+    },
+    /// The value does not fit the number type that has to hold it.
+    OutOfRange {
+        /// Name of the argument.
+        field: &'static str,
+        /// Its value.
+        value: Ratio,
+    },
+    /// The value is not zero, but the number type would make it zero.
+    RoundsToZero {
+        /// Name of the argument.
+        field: &'static str,
+        /// Its value.
+        value: Ratio,
+    },
+    /// NaN or infinite.
+    NotFinite {
+        /// Name of the argument.
+        field: &'static str,
+    },
+    /// A fraction with denominator zero, or a decimal that cannot be read.
+    NotANumber {
+        /// Name of the argument.
+        field: &'static str,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::NotPositive { field, value } => {
+                write!(f, "{field} must be greater than zero, not {value}")
+            }
+            Error::Negative { field, value } => {
+                write!(f, "{field} must not be negative, not {value}")
+            }
+            Error::OutOfRange { field, value } => {
+                write!(f, "{field} {value} is outside the range of the number type")
+            }
+            Error::RoundsToZero { field, value } => {
+                write!(f, "{field} {value} is too small: it would become zero")
+            }
+            Error::NotFinite { field } => write!(f, "{field} is NaN or infinite"),
+            Error::NotANumber { field } => write!(f, "{field} is not a number"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// There was no room; the body that was to be added is inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Full<B>(pub B);
+
+impl<B> fmt::Display for Full<B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the world has no room for another body")
+    }
+}
+
+impl<B: fmt::Debug> core::error::Error for Full<B> {}

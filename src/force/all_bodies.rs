@@ -1,0 +1,50 @@
+//! Any function of time, of a body's own state and of all other bodies.
+//!
+//! All forces are computed before the first is applied, so no body sees another half-moved and
+//! the order of the bodies does not matter. That takes 8 bytes a body, which live in the force.
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::time::{Now, Time, TimeStep};
+use crate::vec2::Vec2;
+
+/// A force, in newtons, that `F` computes for each body from the time, all bodies and the place
+/// of the body among them; for worlds of up to `N` bodies.
+///
+/// ```
+/// use fixstep::{AllBodies, Body, Point, Time};
+/// // Every body is drawn to the first one.
+/// let pull = AllBodies::<_, f32, 16>::new(|_: Time, all: &[Point<f32>], i: usize| {
+///     all[0].position() - all[i].position()
+/// });
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct AllBodies<F, S, const N: usize> {
+    function: F,
+    forces: [Vec2<S>; N],
+}
+
+impl<F, S: crate::scalar::Scalar, const N: usize> AllBodies<F, S, N> {
+    /// Bodies beyond the first `N` feel nothing: choose the capacity of the world.
+    pub fn new(function: F) -> Self {
+        AllBodies { function, forces: [Vec2::ZERO; N] }
+    }
+}
+
+impl<B: Body, F, const N: usize> Force<B> for AllBodies<F, B::S, N>
+where
+    F: FnMut(Time, &[B], usize) -> Vec2<B::S>,
+{
+    const COUPLES: bool = true;
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        let bodies = frame.bodies();
+        for (i, force) in self.forces.iter_mut().take(bodies.len()).enumerate() {
+            *force = (self.function)(now.time(), bodies, i);
+        }
+        for (body, force) in frame.live().iter_mut().zip(&self.forces) {
+            body.push(force.map(|f| now.step.of(f)));
+        }
+    }
+}

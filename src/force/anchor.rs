@@ -1,0 +1,69 @@
+//! A spring with damper between one body and a fixed point: `F = -k (x - a) - c v`.
+//!
+//! Its rest length is zero, so the two axes do not mix and no square root is needed.
+
+use crate::body::Body;
+use crate::error::Error;
+use crate::force::{Force, Frame, coefficient};
+use crate::id::{self, BodyId};
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+use crate::time::{Now, TimeStep};
+use crate::vec2::Vec2;
+
+/// Draws one body to a point and damps its motion. Does nothing once the body is gone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor<S: Scalar> {
+    body: BodyId,
+    point: Vec2<S>,
+    stiffness: S::Coef,
+    damping: S::Coef,
+    per_step: (S::Coef, S::Coef),
+}
+
+impl<S: Scalar> Anchor<S> {
+    /// Ties `body` to `point` (m) with `stiffness` (N/m) and `damping` (kg/s), neither negative.
+    /// Refuses values that the scalar's coefficients cannot hold.
+    pub fn new(
+        body: BodyId,
+        point: Vec2<S>,
+        stiffness: impl Into<Ratio>,
+        damping: impl Into<Ratio>,
+    ) -> Result<Anchor<S>, Error> {
+        let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
+        let damping = coefficient::<S>("damping", damping.into())?;
+        Ok(Anchor { body, point, stiffness, damping, per_step: (stiffness, damping) })
+    }
+}
+
+impl<B: Body> Force<B> for Anchor<B::S> {
+    const COUPLES: bool = true;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let h = now.step.coef();
+        self.per_step = (B::S::product(self.stiffness, h), B::S::product(self.damping, h));
+    }
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, frame: &mut Frame<B>) {
+        let Some((index, body)) = frame.find(self.body) else {
+            return;
+        };
+        let (stiffness, damping) = self.per_step;
+        let pull = (self.point - body.position()).scaled(stiffness);
+        let brake = body.velocity().scaled(damping);
+        if let Some(live) = frame.live_at(index) {
+            live.push(pull - brake);
+        }
+    }
+
+    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+        let Some(body) = id::position(ids, self.body).and_then(|i| bodies.get(i)) else {
+            return 0.0;
+        };
+        let (x, a) = (body.position().to_f64(), self.point.to_f64());
+        let square = (x.x - a.x) * (x.x - a.x) + (x.y - a.y) * (x.y - a.y);
+        0.5 * self.stiffness.to_f64() * square
+    }
+}

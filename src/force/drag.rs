@@ -1,0 +1,44 @@
+//! Linear drag as a force, `F = -k v`: what the article calls friction.
+//!
+//! Explicit, so it overshoots: monotone for `k h / m < 1`, unstable from `k h / m = 2`.
+//! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 12.
+
+use crate::body::Body;
+use crate::error::Error;
+use crate::force::{Force, coefficient};
+use crate::ratio::Ratio;
+use crate::scalar::Scalar;
+use crate::time::{Now, TimeStep};
+
+/// A force against the velocity and in proportion to it, on every body.
+///
+/// ```
+/// use fixstep::{dec, LinearDrag};
+/// let drag = LinearDrag::<f32>::new(dec!(0.1))?;
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearDrag<S: Scalar> {
+    drag: S::Coef,
+    impulse: S::Coef,
+}
+
+impl<S: Scalar> LinearDrag<S> {
+    /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
+    pub fn new(drag: impl Into<Ratio>) -> Result<LinearDrag<S>, Error> {
+        let drag = coefficient::<S>("drag", drag.into())?;
+        Ok(LinearDrag { drag, impulse: drag })
+    }
+}
+
+impl<B: Body> Force<B> for LinearDrag<B::S> {
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        self.impulse = B::S::product(self.drag, now.step.coef());
+    }
+
+    #[inline]
+    fn field<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, seen: &B, live: &mut B) {
+        live.push(-seen.velocity().scaled(self.impulse));
+    }
+}

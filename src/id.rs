@@ -1,0 +1,30 @@
+//! Names of bodies: serial numbers that are never given twice.
+//!
+//! Bodies lie densely, in the order in which they were added, so their serial numbers rise and a
+//! search by halving finds one. A stale id finds nothing, however often its place was used again:
+//! there is no generation counter that could come round. After `2^32` additions a world is full.
+
+/// Names one body of one world, for ever.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(u32);
+
+impl BodyId {
+    /// The first id of a world.
+    pub(crate) const FIRST: BodyId = BodyId(0);
+
+    /// The id after this one; `None` when there are no more.
+    pub(crate) fn next(self) -> Option<BodyId> {
+        self.0.checked_add(1).map(BodyId)
+    }
+
+    /// The serial number: 0 for the first body that was added.
+    pub fn serial(self) -> u32 {
+        self.0
+    }
+}
+
+/// Where `id` stands in `ids`, which rise.
+#[inline]
+pub(crate) fn position(ids: &[BodyId], id: BodyId) -> Option<usize> {
+    ids.binary_search(&id).ok()
+}

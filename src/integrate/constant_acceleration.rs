@@ -1,0 +1,67 @@
+//! The step for constant acceleration, Eq. 3 to 5 of the article.
+//!
+//! ```text
+//! v' = v + h a(x, v, t)
+//! x' = x + h v + h²/2 a = x + h/2 (v + v')
+//! ```
+//!
+//! Exact for constant force, else order 1 in v · one force call · a copy of the bodies where
+//! forces couple them · a spring gains about `(h ω)²/4` in amplitude each step, at every h
+//! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
+//! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
+
+use super::Method;
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::time::{Now, TimeStep};
+
+/// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.
+#[derive(Clone, Debug)]
+pub struct ConstantAcceleration<B, const N: usize> {
+    seen: heapless::Vec<B, N>,
+}
+
+impl<B, const N: usize> ConstantAcceleration<B, N> {
+    /// With room for the copy.
+    pub const fn new() -> Self {
+        ConstantAcceleration { seen: heapless::Vec::new() }
+    }
+}
+
+impl<B, const N: usize> Default for ConstantAcceleration<B, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
+    #[inline]
+    fn step<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        let now = Now::start(step, tick);
+        forces.prepare(&now);
+        if F::COUPLES {
+            self.seen.clear();
+            self.seen.extend(bodies.iter().copied().take(N));
+        }
+        for body in bodies.iter_mut() {
+            let seen = *body;
+            body.drift_half(step);
+            forces.field(&now, &seen, body);
+            if !F::COUPLES {
+                body.drift_half(step);
+            }
+        }
+        if F::COUPLES {
+            forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+            super::drift_half(bodies, step);
+        }
+    }
+}

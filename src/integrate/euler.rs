@@ -1,0 +1,61 @@
+//! Euler's method, as the article has it.
+//!
+//! ```text
+//! x' = x + h v          (the old velocity)
+//! v' = v + h a(x, v, t)
+//! ```
+//!
+//! Order 1 · one force call · a copy of the bodies where forces couple them · a spring gains
+//! `sqrt(1 + (h ω)²)` in amplitude each step, at every h · drag is monotone for `k h / m < 1`
+//! Free fall comes out `g T h / 2` short along g. For teaching, and as the worst line of a chart.
+//! Source: Hecker, "Physics, The Next Frontier" (1996).
+
+use super::Method;
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::time::{Now, TimeStep};
+
+/// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
+#[derive(Clone, Debug)]
+pub struct Euler<B, const N: usize> {
+    seen: heapless::Vec<B, N>,
+}
+
+impl<B, const N: usize> Euler<B, N> {
+    /// With room for the copy.
+    pub const fn new() -> Self {
+        Euler { seen: heapless::Vec::new() }
+    }
+}
+
+impl<B, const N: usize> Default for Euler<B, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
+    #[inline]
+    fn step<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        let now = Now::start(step, tick);
+        forces.prepare(&now);
+        if F::COUPLES {
+            self.seen.clear();
+            self.seen.extend(bodies.iter().copied().take(N));
+        }
+        for body in bodies.iter_mut() {
+            let seen = *body;
+            body.drift(step);
+            forces.field(&now, &seen, body);
+        }
+        forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+    }
+}

@@ -1,0 +1,71 @@
+//! Methods, and the stages they are made of.
+//!
+//! | method | order | force calls | extra state | stable for a spring | with contacts |
+//! |---|---|---|---|---|---|
+//! | [`Euler`] | 1 | 1 | a copy of the bodies | never | yes |
+//! | [`ConstantAcceleration`] | 1; exact for constant force | 1 | a copy of the bodies | never | no |
+//! | [`SemiImplicitEuler`] | 1 | 1 | none | `h ω < 2` | yes |
+//! | [`Verlet`] | 2; exact for constant force | 1 | none | `h ω < 2` | no |
+//!
+//! [`kick`], [`drift`] and [`drift_half`] are free functions over slices: a scene that wants
+//! another order calls them itself. A method that fuses two of them gives the same bits.
+
+mod constant_acceleration;
+mod euler;
+mod semi_implicit;
+mod verlet;
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::time::{Now, TimeStep};
+
+pub use constant_acceleration::ConstantAcceleration;
+pub use euler::Euler;
+pub use semi_implicit::SemiImplicitEuler;
+pub use verlet::Verlet;
+
+/// A way to make one step, for worlds of `N` bodies.
+pub trait Method<B: Body, const N: usize> {
+    /// Moves `bodies`, whose names are `ids`, from tick `tick` to the next.
+    fn step<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    );
+}
+
+/// Stage: every force changes velocities; positions stay.
+#[inline]
+pub fn kick<B: Body, F: Force<B>, H: TimeStep<B::S>>(
+    ids: &[BodyId],
+    bodies: &mut [B],
+    forces: &mut F,
+    now: &Now<H>,
+) {
+    forces.prepare(now);
+    forces.couple(now, &mut Frame::new(ids, bodies));
+    for body in bodies {
+        let seen = *body;
+        forces.field(now, &seen, body);
+    }
+}
+
+/// Stage: `x += h v` for every body.
+#[inline]
+pub fn drift<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
+    for body in bodies {
+        body.drift(step);
+    }
+}
+
+/// Stage: `x += h/2 v` for every body.
+#[inline]
+pub fn drift_half<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
+    for body in bodies {
+        body.drift_half(step);
+    }
+}

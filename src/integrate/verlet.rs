@@ -1,0 +1,51 @@
+//! Verlet as drift-kick-drift (position Verlet, leapfrog).
+//!
+//! ```text
+//! x½ = x  + h/2 v
+//! v' = v  + h a(x½, t + h/2)
+//! x' = x½ + h/2 v'
+//! ```
+//!
+//! Order 2, exact for constant force · one force call · no extra state · stable for `h ω < 2`
+//! A force that depends on v makes it order 1: the kick sees the old velocity.
+//! Why this order of the three: kick-drift-kick needs two force calls, or keeps accelerations that
+//! go stale when a body is teleported or added; half-step velocities are not the velocities a scene
+//! reads. Drift-kick-drift has neither fault; its price is a second product per axis.
+//! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", I.1.4.
+
+use super::{Method, drift_half};
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::time::{Now, TimeStep};
+
+/// Verlet, drift-kick-drift: the default for bodies that touch nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Verlet;
+
+impl<B: Body, const N: usize> Method<B, N> for Verlet {
+    #[inline]
+    fn step<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        let now = Now::middle(step, tick);
+        forces.prepare(&now);
+        if F::COUPLES {
+            drift_half(bodies, step);
+            forces.couple(&now, &mut Frame::new(ids, bodies));
+        }
+        for body in bodies {
+            if !F::COUPLES {
+                body.drift_half(step);
+            }
+            let seen = *body;
+            forces.field(&now, &seen, body);
+            body.drift_half(step);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Read-outs: momentum, energy and a hash of the state.
+//!
+//! Sums are `f64` in any scalar: they are for tests and reports, no step calls them. A mass is the
+//! inverse of the inverse mass that the body holds, so that conservation is judged by the masses
+//! which the scene really has.
+
+use crate::body::Body;
+use crate::force::Force;
+use crate::scalar::{Factor, Scalar};
+use crate::vec2::Vec2;
+use crate::world::World;
+
+impl<B: Body, const N: usize> World<B, N> {
+    /// Total momentum `sum(m v)`, kg m/s.
+    pub fn momentum(&self) -> Vec2<f64> {
+        let of = |body: &B| body.velocity().to_f64().map(|v| v / body.inv_mass().to_f64());
+        self.bodies().iter().map(of).fold(Vec2::ZERO, |sum, p| sum + p)
+    }
+
+    /// Total kinetic energy `sum(m v²/2)`, J.
+    pub fn kinetic_energy(&self) -> f64 {
+        let of = |body: &B| {
+            let v = body.velocity().to_f64();
+            0.5 * v.dot(v) / body.inv_mass().to_f64()
+        };
+        self.bodies().iter().map(of).sum()
+    }
+
+    /// Total potential energy in `forces`, J.
+    pub fn potential_energy(&self, forces: &impl Force<B>) -> f64 {
+        forces.potential(self.ids(), self.bodies())
+    }
+
+    /// FNV-1a over the tick, the ids and the exact bits of every position and velocity: equal
+    /// states have equal hashes on every target.
+    pub fn state_hash(&self) -> u64 {
+        let mut hash = Fnv::new();
+        hash.write(self.tick());
+        for (id, body) in self.iter() {
+            hash.write(id.serial() as u64);
+            let [position, velocity] = [body.position(), body.velocity()];
+            for scalar in [position.x, position.y, velocity.x, velocity.y] {
+                hash.write(scalar.bits());
+            }
+        }
+        hash.0
+    }
+}
+
+/// Fowler, Noll, Vo: the 64-bit hash with the xor first.
+/// Source: RFC 9923, "The FNV Non-Cryptographic Hash Algorithm".
+struct Fnv(u64);
+
+impl Fnv {
+    fn new() -> Fnv {
+        Fnv(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn write(&mut self, word: u64) {
+        for byte in word.to_le_bytes() {
+            self.0 = (self.0 ^ byte as u64).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+}

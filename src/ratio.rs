@@ -1,0 +1,217 @@
+//! Constants as ratios of integers, so that no floating-point code is needed to make them.
+//!
+//! A [`Ratio`] is exact. A number type rounds it once, when a constructor asks for it, by long
+//! division one bit at a time: slow (some hundred instructions), small, without a division
+//! routine, and the same on every target. It runs at start-up, never in a step.
+
+use core::fmt;
+
+use crate::error::Error;
+
+/// An exact fraction `num / den`, `den > 0`; magnitudes up to `2^62`.
+///
+/// ```
+/// use fixstep::{dec, Ratio};
+/// assert_eq!(dec!(-9.81), Ratio::new(-981, 100).unwrap());
+/// assert!(Ratio::new(1, 0).is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    num: i64,
+    den: u64,
+}
+
+/// Largest numerator and denominator: long division needs one spare bit.
+const LIMIT: u64 = 1 << 62;
+
+impl Ratio {
+    /// Zero.
+    pub const ZERO: Ratio = Ratio { num: 0, den: 1 };
+
+    /// `num / den`. Refuses `den == 0` and magnitudes above `2^62`.
+    pub const fn new(num: i64, den: u64) -> Result<Ratio, Error> {
+        if den == 0 || den > LIMIT || num.unsigned_abs() > LIMIT {
+            return Err(Error::NotANumber { field: "ratio" });
+        }
+        Ok(Ratio { num, den })
+    }
+
+    /// `1 / self` of a ratio greater than zero.
+    pub(crate) const fn inverse(self) -> Option<Ratio> {
+        if self.num <= 0 {
+            return None;
+        }
+        Some(Ratio { num: self.den as i64, den: self.num as u64 })
+    }
+
+    /// `self / 2`; `None` where the denominator has no room for it.
+    pub(crate) const fn halved(self) -> Option<Ratio> {
+        match self.den <= LIMIT / 2 {
+            true => Some(Ratio { num: self.num, den: self.den * 2 }),
+            false => None,
+        }
+    }
+
+    /// Numerator; carries the sign.
+    pub const fn num(self) -> i64 {
+        self.num
+    }
+
+    /// Denominator, greater than zero.
+    pub const fn den(self) -> u64 {
+        self.den
+    }
+
+    /// Reads a decimal such as `-9.81`, `1_000` or `.5`: up to 18 digits, no exponent.
+    /// The [`dec!`](crate::dec) macro calls it at compile time.
+    pub const fn parse(text: &str) -> Result<Ratio, Error> {
+        let error = Err(Error::NotANumber { field: "decimal" });
+        let (bytes, mut i) = (text.as_bytes(), 0);
+        let (mut num, mut den, mut digits) = (0_i64, 1_u64, 0);
+        let (mut minus, mut point) = (false, false);
+        while i < bytes.len() {
+            match bytes[i] {
+                b'-' if digits == 0 && !minus && !point => minus = true,
+                b'.' if !point => point = true,
+                b'_' | b' ' => {}
+                b @ b'0'..=b'9' if digits < 18 => {
+                    num = num * 10 + (b - b'0') as i64;
+                    digits += 1;
+                    if point {
+                        den *= 10;
+                    }
+                }
+                _ => return error,
+            }
+            i += 1;
+        }
+        if digits == 0 {
+            return error;
+        }
+        Ratio::new(if minus { -num } else { num }, den)
+    }
+
+    /// The ratio that `value` stands for, exact where 62 bits suffice, else nearest.
+    /// For host code: a device writes [`dec!`](crate::dec). Refuses NaN and magnitudes from `2^62`.
+    pub fn from_f64(value: f64) -> Result<Ratio, Error> {
+        let magnitude = libm::fabs(value);
+        if magnitude.is_nan() || magnitude >= LIMIT as f64 {
+            return Err(Error::NotFinite { field: "value" });
+        }
+        let (mut num, mut den) = (magnitude, 1_u64);
+        while num < (1_u64 << 52) as f64 && den < LIMIT && libm::trunc(num) != num {
+            (num, den) = (num * 2.0, den * 2);
+        }
+        let num = libm::round(num) as i64;
+        Ratio::new(if value < 0.0 { -num } else { num }, den)
+    }
+
+    /// The nearest `f64`, for reports and references.
+    pub fn to_f64(self) -> f64 {
+        self.num as f64 / self.den as f64
+    }
+
+    /// `|self| = q * 2^e` with `q` rounded to `bits` bits (1 to 63), ties away from zero.
+    /// `(0, 0)` for zero.
+    pub(crate) fn mantissa(self, bits: u32) -> (u64, i32) {
+        let Some(mut division) = Division::of(self) else {
+            return (0, 0);
+        };
+        let q = division.round(bits);
+        let e = division.exponent - bits as i32 + 1;
+        if q >> bits == 0 { (q, e) } else { (q >> 1, e + 1) }
+    }
+
+    /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^63`.
+    pub(crate) fn shifted(self, shift: u32) -> Option<u64> {
+        let Some(mut division) = Division::of(self) else {
+            return Some(0);
+        };
+        match division.exponent + shift as i32 + 1 {
+            bits @ 0..=62 => Some(division.round(bits as u32)),
+            ..0 => Some(0),
+            _ => None,
+        }
+    }
+}
+
+/// Long division of two magnitudes scaled so that the quotient lies in `[1, 2)`.
+struct Division {
+    rest: u64,
+    den: u64,
+    exponent: i32,
+}
+
+impl Division {
+    /// `None` for zero.
+    fn of(ratio: Ratio) -> Option<Division> {
+        let (num, den) = (ratio.num.unsigned_abs(), ratio.den);
+        if num == 0 {
+            return None;
+        }
+        let (up, down) = (num.leading_zeros(), den.leading_zeros());
+        let mut division = Division {
+            rest: (num << up) >> 1,
+            den: (den << down) >> 1,
+            exponent: down as i32 - up as i32,
+        };
+        if division.rest < division.den {
+            division.rest <<= 1;
+            division.exponent -= 1;
+        }
+        Some(division)
+    }
+
+    /// The next `bits` bits of the quotient, rounded by what is left (ties away).
+    fn round(&mut self, bits: u32) -> u64 {
+        let mut quotient = 0;
+        for _ in 0..bits {
+            quotient <<= 1;
+            if self.rest >= self.den {
+                self.rest -= self.den;
+                quotient |= 1;
+            }
+            self.rest <<= 1;
+        }
+        quotient + (self.rest >= self.den) as u64
+    }
+}
+
+impl From<i32> for Ratio {
+    fn from(whole: i32) -> Ratio {
+        Ratio { num: whole as i64, den: 1 }
+    }
+}
+
+impl fmt::Display for Ratio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.den {
+            1 => write!(f, "{}", self.num),
+            den => write!(f, "{}/{}", self.num, den),
+        }
+    }
+}
+
+/// A decimal literal as an exact [`Ratio`], read at compile time.
+///
+/// ```
+/// use fixstep::{dec, Ratio};
+/// const G: Ratio = dec!(9.81);
+/// assert_eq!(G.num(), 981);
+/// ```
+///
+/// A literal that is no plain decimal does not compile:
+///
+/// ```compile_fail
+/// let x = fixstep::dec!(1e9);
+/// ```
+#[macro_export]
+macro_rules! dec {
+    ($literal:expr) => {{
+        const RATIO: $crate::Ratio = match $crate::Ratio::parse(stringify!($literal)) {
+            Ok(ratio) => ratio,
+            Err(_) => panic!("not a plain decimal"),
+        };
+        RATIO
+    }};
+}

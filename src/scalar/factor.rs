@@ -1,0 +1,123 @@
+//! The three factors of fixed point, each with its own place of the binary point.
+//!
+//! ```text
+//! Coef     m / 2^k               m of 31 bits         any k: exact for powers of two
+//! Span     m / 2^(BITS + s)      m of 31 bits, odd    high word, add, shift: the hot loop
+//! InvMass  m / 2^(20 + e)        m of 26 bits         packed in the 4 bytes a body has for it
+//! ```
+//!
+//! Why a span is odd: `v m` lies on a tie where it is `2^(31+s)` modulo `2^(32+s)`. With m odd,
+//! v itself would have to be a multiple of `2^(31+s)`; for `s >= 1` no 32-bit v but zero is. So
+//! rounding half up is symmetric at no cost. The price is that `h` may be off by one unit of its
+//! mantissa, 9.4e-10 of itself; a rate that is a power of two can be had exactly in
+//! [`DyadicStep`](crate::DyadicStep).
+
+use super::raw::Raw;
+use crate::ratio::Ratio;
+
+/// A coefficient `m / 2^k` beside a scalar stored in `R`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coef<R> {
+    mantissa: R,
+    shift: u32,
+}
+
+/// A length of time below a quarter second beside a scalar stored in `R`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span<R> {
+    mantissa: R,
+    shift: u32,
+}
+
+/// One over a mass between `2^-10` and `2^21` kg, packed in one `R`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InvMass<R>(R);
+
+impl<R: Raw> Coef<R> {
+    const MAX_SHIFT: u32 = 2 * R::BITS - 2;
+
+    pub(super) fn new(ratio: Ratio) -> Option<Coef<R>> {
+        let (mantissa, exponent) = ratio.mantissa(R::BITS - 1);
+        let shift = match mantissa {
+            0 => 1,
+            _ => u32::try_from(-exponent).ok()?,
+        };
+        let mantissa = R::signed(mantissa, ratio.num() < 0);
+        (1..=Self::MAX_SHIFT).contains(&shift).then_some(Coef { mantissa, shift })
+    }
+
+    #[inline]
+    pub(super) fn of(self, value: R) -> R {
+        R::rounded(value.product(self.mantissa), self.shift)
+    }
+
+    /// The product; it saturates above and loses bits below the range of a coefficient.
+    #[inline]
+    pub(super) fn times(self, other: Coef<R>) -> Coef<R> {
+        let (mantissa, up) = R::renormalised(self.mantissa.product(other.mantissa));
+        let shift = self.shift + other.shift;
+        if shift <= up {
+            return Coef { mantissa: mantissa.limit(), shift: 1 };
+        }
+        match (shift - up).checked_sub(Self::MAX_SHIFT) {
+            None | Some(0) => Coef { mantissa, shift: shift - up },
+            Some(excess) => {
+                let lost = excess.min(R::BITS);
+                let mantissa = R::rounded(mantissa.product(R::signed(1, false)), lost);
+                Coef { mantissa, shift: Self::MAX_SHIFT }
+            }
+        }
+    }
+
+    /// The part of `self * value` that falls to `tick`.
+    #[inline]
+    pub(super) fn share(self, value: R, tick: u64) -> R {
+        R::share(value.product(self.mantissa), self.shift, tick)
+    }
+
+    pub(super) fn to_f64(self) -> f64 {
+        self.mantissa.to_f64() / (1_u128 << self.shift) as f64
+    }
+}
+
+impl<R: Raw> Span<R> {
+    /// The nearest odd mantissa, from one bit more than it has.
+    pub(super) fn new(ratio: Ratio) -> Option<Span<R>> {
+        let (finer, exponent) = ratio.mantissa(R::BITS.min(63));
+        let mantissa = R::signed((finer >> 2 << 1) | 1, ratio.num() < 0);
+        let shift = u32::try_from(-1 - exponent).ok()?.checked_sub(R::BITS)?;
+        (finer != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
+    }
+
+    #[inline]
+    pub(super) fn of(self, value: R) -> R {
+        value.high_product(self.mantissa).half_up(self.shift)
+    }
+
+    pub(super) fn to_f64(self) -> f64 {
+        let scale = (1_u128 << self.shift) as f64 * (1_u128 << R::BITS) as f64;
+        self.mantissa.to_f64() / scale
+    }
+}
+
+impl<R: Raw> InvMass<R> {
+    /// Where the mantissa's point lies for `e = 0`: a mass of 1 kg has `e = 10`.
+    const BASE: u32 = R::BITS - 12;
+
+    pub(super) fn new(ratio: Ratio) -> Option<InvMass<R>> {
+        let (mantissa, exponent) = ratio.mantissa(R::BITS - 6);
+        let shift = u32::try_from(5 - exponent).ok()?.checked_sub(Self::BASE)?;
+        (ratio.num() > 0 && shift < 32).then(|| InvMass(R::signed(mantissa << 5 | shift as u64, false)))
+    }
+
+    #[inline]
+    pub(super) fn of(self, value: R) -> R {
+        let (mantissa, shift) = self.0.unpacked();
+        R::rounded(value.product(mantissa), Self::BASE + shift)
+    }
+
+    pub(super) fn to_f64(self) -> f64 {
+        let (mantissa, shift) = self.0.unpacked();
+        mantissa.to_f64() / (1_u128 << (Self::BASE + shift)) as f64
+    }
+}

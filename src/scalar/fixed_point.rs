@@ -1,0 +1,129 @@
+//! `fixed`'s signed types of 32 bits, and those of 64 as a wide reference.
+//!
+//! Sums saturate, products go through [`Raw`] and its laws; of the crate `fixed` only the
+//! representation and its saturating sums are used. At least one fractional bit is required.
+
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+
+use super::factor::{Coef, InvMass, Span};
+use super::raw::Raw;
+use super::{Factor, Scalar};
+use crate::ratio::Ratio;
+
+macro_rules! factor {
+    ($fixed:ident<$bound:ident>, $factor:ty) => {
+        impl<F: $bound> Factor<$fixed<F>> for $factor {
+            fn new(ratio: Ratio) -> Option<Self> {
+                <$factor>::new(ratio)
+            }
+
+            #[inline]
+            fn of(self, value: $fixed<F>) -> $fixed<F> {
+                $fixed::from_bits(self.of(value.to_bits()))
+            }
+
+            fn to_f64(self) -> f64 {
+                self.to_f64()
+            }
+        }
+    };
+}
+
+macro_rules! fixed_scalar {
+    ($fixed:ident<$bound:ident>, $raw:ident) => {
+        factor!($fixed<$bound>, Coef<$raw>);
+        factor!($fixed<$bound>, Span<$raw>);
+        factor!($fixed<$bound>, InvMass<$raw>);
+
+        impl<F: $bound> Scalar for $fixed<F> {
+            type Coef = Coef<$raw>;
+            type Span = Span<$raw>;
+            type InvMass = InvMass<$raw>;
+            type Sum = <$raw as Raw>::Wide;
+
+            const ZERO: Self = {
+                assert!(F::U32 >= 1, "a scalar needs a fractional bit");
+                $fixed::ZERO
+            };
+            const MAX: Self = $fixed::MAX;
+
+            fn ratio(ratio: Ratio) -> Option<Self> {
+                let magnitude = $raw::try_from(ratio.shifted(F::U32)?).ok()?;
+                Some($fixed::from_bits(if ratio.num() < 0 { -magnitude } else { magnitude }))
+            }
+
+            #[inline]
+            fn plus(self, other: Self) -> Self {
+                self.saturating_add(other)
+            }
+
+            #[inline]
+            fn minus(self, other: Self) -> Self {
+                self.saturating_sub(other)
+            }
+
+            #[inline]
+            fn negated(self) -> Self {
+                self.saturating_neg()
+            }
+
+            #[inline]
+            fn times(self, other: Self) -> Self {
+                Self::narrow(self.to_bits().product(other.to_bits()))
+            }
+
+            #[inline(always)]
+            fn dyadic(self, num: u32, shift: u32) -> Self {
+                $fixed::from_bits(self.to_bits().dyadic(num, shift))
+            }
+
+            #[inline]
+            fn gain(self, h: Coef<$raw>, tick: u64) -> Self {
+                $fixed::from_bits(h.share(self.to_bits(), tick))
+            }
+
+            #[inline]
+            fn dot(a: [Self; 2], b: [Self; 2]) -> Self::Sum {
+                Raw::dot(a.map(Self::to_bits), b.map(Self::to_bits))
+            }
+
+            #[inline]
+            fn narrow(sum: Self::Sum) -> Self {
+                $fixed::from_bits(Raw::rounded(sum, F::U32))
+            }
+
+            #[inline]
+            fn under(self, sum: Self::Sum) -> Self {
+                $fixed::from_bits(Raw::quotient(sum, self.to_bits()))
+            }
+
+            #[inline]
+            fn length(v: [Self; 2]) -> Self {
+                $fixed::from_bits(Raw::length(v.map(Self::to_bits)))
+            }
+
+            #[inline]
+            fn product(a: Coef<$raw>, b: Coef<$raw>) -> Coef<$raw> {
+                a.times(b)
+            }
+
+            #[inline]
+            fn is_inside(self) -> bool {
+                self.to_bits().unsigned_abs() < $raw::MAX.unsigned_abs()
+            }
+
+            #[inline]
+            fn bits(self) -> u64 {
+                self.to_bits() as u64
+            }
+
+            fn to_f64(self) -> f64 {
+                self.to_bits() as f64 / (1_u64 << F::U32) as f64
+            }
+        }
+    };
+}
+
+fixed_scalar!(FixedI32<LeEqU32>, i32);
+fixed_scalar!(FixedI64<LeEqU64>, i64);

@@ -1,0 +1,113 @@
+//! The number law: what a scene may ask of its number type, and what it can rely on.
+//!
+//! | law | meaning |
+//! |---|---|
+//! | total | no operation panics or wraps, in debug or in release; fixed point saturates, floats go to infinity or NaN |
+//! | odd | `(-a) op b == -(a op b)` for every `a` but the most negative, so a mirrored scene gives the mirrored result |
+//! | nearest | a product is rounded once, to the nearest value; ties go away from zero |
+//! | own precision | `h`, `k` and `1/m` are no state: they are kept with more relative precision than the state has |
+//! | same bits | the same inputs give the same bits on every target |
+//!
+//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) and, as a wide reference,
+//! every [`FixedI64`](fixed::FixedI64). The trait is open: a number type of your own takes part
+//! by implementing it.
+//!
+//! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`: it floors, it panics in
+//! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
+//! operators of [`Vec2`](crate::Vec2) keep the laws.
+
+mod factor;
+mod fixed_point;
+mod float;
+mod raw;
+
+use core::fmt::Debug;
+
+use crate::ratio::Ratio;
+
+pub use factor::{Coef, InvMass, Span};
+
+/// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
+pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
+    /// The factor nearest to `ratio`; `None` if it is out of range or would become zero.
+    /// Zero itself is allowed where the factor may be zero.
+    fn new(ratio: Ratio) -> Option<Self>;
+
+    /// `self * value`: nearest, odd, saturating.
+    fn of(self, value: S) -> S;
+
+    /// The factor as it is represented, for reports and references.
+    fn to_f64(self) -> f64;
+}
+
+/// A number type that a scene can be written in. The [module](self) states its laws.
+///
+/// ```
+/// use fixstep::{dec, Scalar, fixed::types::I16F16};
+/// let a = I16F16::ratio(dec!(1.5)).unwrap();
+/// assert_eq!(a.plus(I16F16::MAX), I16F16::MAX);
+/// assert_eq!(a.times(a), 2.25);
+/// ```
+pub trait Scalar: Copy + PartialOrd + Debug + 'static {
+    /// A coefficient: stiffness, drag, their products with `h`. May be zero or negative.
+    type Coef: Factor<Self>;
+    /// A length of time below a quarter second, for the hot loop `x += h v`. Never zero.
+    type Span: Factor<Self>;
+    /// One over a mass. Never zero; no larger than the scalar.
+    type InvMass: Factor<Self>;
+    /// A sum of two products, narrowed once.
+    type Sum: Copy + Debug;
+
+    /// Zero.
+    const ZERO: Self;
+
+    /// The largest value.
+    const MAX: Self;
+
+    /// The value nearest to `ratio`, `None` outside the range.
+    fn ratio(ratio: Ratio) -> Option<Self>;
+
+    /// `self + other`, saturating.
+    fn plus(self, other: Self) -> Self;
+
+    /// `self - other`, saturating.
+    fn minus(self, other: Self) -> Self;
+
+    /// `-self`, saturating.
+    fn negated(self) -> Self;
+
+    /// `self * other`: nearest, odd, saturating.
+    fn times(self, other: Self) -> Self;
+
+    /// `num / 2^shift * self`: nearest, odd, saturating; `num <= 2^30` and `1 <= shift <= 30`.
+    /// Called with constants: a shift where `num` is 1.
+    fn dyadic(self, num: u32, shift: u32) -> Self;
+
+    /// `h * self`, with the part that does not fit the type spread over the ticks: the values of
+    /// ticks `0..n` sum to `n * h * self`, rounded once. Floats return `h * self`.
+    fn gain(self, h: Self::Coef, tick: u64) -> Self;
+
+    /// `a.x * b.x + a.y * b.y` in the wide type.
+    fn dot(a: [Self; 2], b: [Self; 2]) -> Self::Sum;
+
+    /// A wide sum as a scalar: nearest, odd, saturating.
+    fn narrow(sum: Self::Sum) -> Self;
+
+    /// `sum / self`: nearest, odd, saturating; zero where `self` is not greater than zero.
+    fn under(self, sum: Self::Sum) -> Self;
+
+    /// `sqrt(v.x² + v.y²)`, nearest, saturating; squares are formed in the wide type.
+    fn length(v: [Self; 2]) -> Self;
+
+    /// The product of two coefficients, saturating.
+    fn product(a: Self::Coef, b: Self::Coef) -> Self::Coef;
+
+    /// Whether the value is neither at an end of the range nor NaN nor infinite.
+    fn is_inside(self) -> bool;
+
+    /// The exact bits, equal for values that are equal: one NaN, one zero.
+    fn bits(self) -> u64;
+
+    /// The value, or the nearest `f64` to it. For reports; no step calls it.
+    fn to_f64(self) -> f64;
+}

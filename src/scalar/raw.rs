@@ -1,0 +1,247 @@
+//! Integer kernels under the fixed-point types: a wide result, rounded once, clamped.
+
+use core::fmt::Debug;
+use core::num::NonZero;
+
+/// A storage integer with a type twice as wide.
+pub trait Raw: Copy + Debug + PartialEq + 'static {
+    /// Holds any product of two.
+    type Wide: Copy + Debug;
+
+    /// Bits of storage.
+    const BITS: u32;
+
+    /// `±magnitude`, for magnitudes that fit.
+    fn signed(magnitude: u64, negative: bool) -> Self;
+
+    /// The largest magnitude with the sign of `self`.
+    fn limit(self) -> Self;
+
+    /// `self` with its lowest five bits cleared, and those bits.
+    fn unpacked(self) -> (Self, u32);
+
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+
+    /// The full product.
+    fn product(self, other: Self) -> Self::Wide;
+
+    /// `floor(self * other / 2^BITS)`.
+    fn high_product(self, other: Self) -> Self;
+
+    /// `a0 b0 + a1 b1`, clamped to `±2^(2 BITS - 2)`: whatever is larger saturates when narrowed.
+    fn dot(a: [Self; 2], b: [Self; 2]) -> Self::Wide;
+
+    /// `wide / 2^shift`, nearest, ties away from zero, clamped to `±MAX` so that it can be
+    /// negated; `1 <= shift <= 2 BITS - 2` and `|wide| <= 2^(2 BITS - 2)`.
+    fn rounded(wide: Self::Wide, shift: u32) -> Self;
+
+    /// `wide / divisor`, rounded and clamped as above; zero for a divisor that is not positive.
+    fn quotient(wide: Self::Wide, divisor: Self) -> Self;
+
+    /// The integer nearest to the square root of `x² + y²`, clamped.
+    fn length(v: [Self; 2]) -> Self;
+
+    /// `num / 2^shift * self`, nearest, ties away, clamped; `num <= 2^30`, `1 <= shift <= 30`.
+    fn dyadic(self, num: u32, shift: u32) -> Self;
+
+    /// `self / 2^shift`, nearest with ties up; `1 <= shift < BITS`, `|self| < 2^(BITS-2)`.
+    fn half_up(self, shift: u32) -> Self;
+
+    /// The `tick`-th of the values whose first `n` sum to `n * wide / 2^shift`, rounded.
+    fn share(wide: Self::Wide, shift: u32, tick: u64) -> Self;
+
+    /// A product of two mantissas as a mantissa: the value, and the shift that led there.
+    fn renormalised(product: Self::Wide) -> (Self, u32);
+}
+
+macro_rules! raw {
+    ($raw:ident, $unsigned:ident, $wide:ident, $unsigned_wide:ident, $high_product:path) => {
+        impl Raw for $raw {
+            type Wide = $wide;
+
+            const BITS: u32 = $raw::BITS;
+
+            #[inline]
+            fn signed(magnitude: u64, negative: bool) -> $raw {
+                let value = magnitude as $raw;
+                if negative { value.wrapping_neg() } else { value }
+            }
+
+            #[inline]
+            fn limit(self) -> $raw {
+                if self < 0 { -$raw::MAX } else { $raw::MAX }
+            }
+
+            #[inline]
+            fn unpacked(self) -> ($raw, u32) {
+                (self & !31, self as u32 & 31)
+            }
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+
+            #[inline]
+            fn product(self, other: $raw) -> $wide {
+                self as $wide * other as $wide
+            }
+
+            #[inline]
+            fn high_product(self, other: $raw) -> $raw {
+                $high_product(self, other)
+            }
+
+            #[inline]
+            fn dot(a: [$raw; 2], b: [$raw; 2]) -> $wide {
+                const LIMIT: $wide = 1 << ($wide::BITS - 2);
+                let sum = a[0].product(b[0]).saturating_add(a[1].product(b[1]));
+                sum.clamp(-LIMIT, LIMIT)
+            }
+
+            // The shift floors. Half a unit more makes it nearest with ties up; one less below
+            // zero sends those ties down.
+            #[inline]
+            fn rounded(wide: $wide, shift: u32) -> $raw {
+                const MASK: u32 = $wide::BITS - 1;
+                const LIMIT: $wide = $raw::MAX as $wide;
+                let half = 1 << (shift.wrapping_sub(1) & MASK);
+                let below = wide >> MASK;
+                let value = wide.wrapping_add(half).wrapping_add(below) >> (shift & MASK);
+                value.clamp(-LIMIT, LIMIT) as $raw
+            }
+
+            #[inline]
+            fn quotient(wide: $wide, divisor: $raw) -> $raw {
+                let Some(divisor) = NonZero::new(divisor.max(0) as $unsigned_wide) else {
+                    return 0;
+                };
+                let magnitude = wide.unsigned_abs();
+                let (whole, rest) = (magnitude / divisor, magnitude % divisor);
+                let up = (rest >= divisor.get() - rest) as $unsigned_wide;
+                let value = (whole + up).min($raw::MAX as $unsigned_wide) as $raw;
+                if wide < 0 { -value } else { value }
+            }
+
+            #[inline]
+            fn length(v: [$raw; 2]) -> $raw {
+                let square = Self::dot(v, v) as $unsigned_wide;
+                let root = square.isqrt();
+                let up = (square - root * root > root) as $unsigned_wide;
+                (root + up).min($raw::MAX as $unsigned_wide) as $raw
+            }
+
+            // A shift works on the magnitude, where half up is ties away; the most negative
+            // value has a magnitude too, as an unsigned number.
+            #[inline(always)]
+            fn dyadic(self, num: u32, shift: u32) -> $raw {
+                const MASK: u32 = $raw::BITS - 1;
+                if num != 1 {
+                    return Self::rounded((self as $wide).wrapping_mul(num as $wide), shift);
+                }
+                let sign = self >> MASK;
+                let half = 1 << (shift.wrapping_sub(1) & MASK);
+                let magnitude = self.unsigned_abs().wrapping_add(half) >> (shift & MASK);
+                (magnitude as $raw ^ sign).wrapping_sub(sign)
+            }
+
+            #[inline]
+            fn half_up(self, shift: u32) -> $raw {
+                const MASK: u32 = $raw::BITS - 1;
+                let half = 1 << (shift.wrapping_sub(1) & MASK);
+                self.wrapping_add(half) >> (shift & MASK)
+            }
+
+            // With f the fraction in units of 2^-32, share t is whole + 1 where f t + 1/2 passes
+            // a whole number between t and t + 1: the top bit of a 32-bit counter that may wrap.
+            #[inline]
+            fn share(wide: $wide, shift: u32, tick: u64) -> $raw {
+                const MASK: u32 = $wide::BITS - 1;
+                let magnitude = wide.unsigned_abs();
+                let whole = magnitude >> (shift & MASK);
+                let fraction = match shift {
+                    32.. => magnitude >> (shift - 32 & MASK),
+                    _ => magnitude << (32 - shift & MASK),
+                } as u32;
+                let phase = fraction.wrapping_mul(tick as u32).wrapping_add(1 << 31);
+                let carry = phase.overflowing_add(fraction).1 as $unsigned_wide;
+                let value = (whole + carry).min($raw::MAX as $unsigned_wide) as $raw;
+                if wide < 0 { -value } else { value }
+            }
+
+            // The bits of the product, less those a mantissa has.
+            #[inline]
+            fn renormalised(product: $wide) -> ($raw, u32) {
+                let bits = $wide::BITS - product.unsigned_abs().leading_zeros();
+                let shift = bits.saturating_sub($raw::BITS - 1);
+                match shift {
+                    0 => (product as $raw, 0),
+                    _ => (Self::rounded(product, shift), shift),
+                }
+            }
+        }
+    };
+}
+
+raw!(i32, u32, i64, u64, high_product_i32);
+raw!(i64, u64, i128, u128, high_product_i64);
+
+/// The high word of a product, on cores with a long multiply.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+fn high_product_i32(a: i32, b: i32) -> i32 {
+    (a.product(b) >> 32) as i32
+}
+
+/// The same word from 16-bit halves, for ARM cores whose multiplier gives 32 bits (Cortex-M0+;
+/// they are told by having no atomics). The runtime's 64-bit multiply takes twice as long.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+fn high_product_i32(a: i32, b: i32) -> i32 {
+    high_product_halves(a, b)
+}
+
+#[inline(always)]
+fn high_product_i64(a: i64, b: i64) -> i64 {
+    (a.product(b) >> 64) as i64
+}
+
+/// Schoolbook product of 16-bit halves. No sum wraps: `|high * low| <= 2^31 - 2^15`, and what is
+/// added to it is below `2^15` in the first line of `mixed`, and below `2^16` in `other`, whose
+/// factors cannot both be extreme because `b`'s high half is at least `-2^15`.
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), allow(dead_code))]
+#[inline(always)]
+fn high_product_halves(a: i32, b: i32) -> i32 {
+    let (a_high, a_low) = (a >> 16, a & 0xFFFF);
+    let (b_high, b_low) = (b >> 16, b & 0xFFFF);
+    let low = ((a_low as u32).wrapping_mul(b_low as u32) >> 16) as i32;
+    let mixed = a_high.wrapping_mul(b_low).wrapping_add(low);
+    let other = b_high.wrapping_mul(a_low).wrapping_add(mixed & 0xFFFF);
+    let high = a_high.wrapping_mul(b_high);
+    high.wrapping_add(mixed >> 16).wrapping_add(other >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_give_the_high_word() {
+        let corners = [i32::MIN, i32::MIN + 1, -65_537, -65_536, -65_535, -1, 0, 1, 65_535, 65_536, i32::MAX];
+        let mut seed = 1_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 32) as i32
+        };
+        for _ in 0..1_000_000 {
+            let (a, b) = (random(), random());
+            assert_eq!(high_product_halves(a, b), (a.product(b) >> 32) as i32);
+        }
+        for a in corners {
+            for b in corners {
+                assert_eq!(high_product_halves(a, b), (a.product(b) >> 32) as i32);
+            }
+        }
+    }
+}

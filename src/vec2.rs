@@ -1,0 +1,131 @@
+//! A pair of scalars. Its operators keep the laws of [`Scalar`]: they saturate.
+
+use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+
+use crate::error::Error;
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+
+/// A 2D vector; x to the right, y up unless the scene says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Vec2<S> {
+    /// First component.
+    pub x: S,
+    /// Second component.
+    pub y: S,
+}
+
+/// A vector from constants, each rounded once into the scalar.
+///
+/// Refuses a component outside the range of the scalar.
+///
+/// ```
+/// use fixstep::{dec, vec2, fixed::types::I16F16};
+/// let g = vec2::<I16F16>(0, dec!(-9.81))?;
+/// assert!(vec2::<I16F16>(40_000, 0).is_err());
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+pub fn vec2<S: Scalar>(x: impl Into<Ratio>, y: impl Into<Ratio>) -> Result<Vec2<S>, Error> {
+    let component = |field, value| S::ratio(value).ok_or(Error::OutOfRange { field, value });
+    Ok(Vec2 { x: component("x", x.into())?, y: component("y", y.into())? })
+}
+
+impl<S: Scalar> Vec2<S> {
+    /// The null vector.
+    pub const ZERO: Vec2<S> = Vec2 { x: S::ZERO, y: S::ZERO };
+
+    /// From its components.
+    #[inline]
+    pub const fn new(x: S, y: S) -> Vec2<S> {
+        Vec2 { x, y }
+    }
+
+    /// As an array, x first.
+    #[inline]
+    pub fn array(self) -> [S; 2] {
+        [self.x, self.y]
+    }
+
+    /// Each component through `f`.
+    #[inline]
+    pub fn map<T>(self, mut f: impl FnMut(S) -> T) -> Vec2<T> {
+        Vec2 { x: f(self.x), y: f(self.y) }
+    }
+
+    /// Times a factor, each component rounded once.
+    #[inline]
+    pub fn scaled(self, factor: impl Factor<S>) -> Vec2<S> {
+        self.map(|s| factor.of(s))
+    }
+
+    /// `self.x * other.x + self.y * other.y` in the wide type.
+    #[inline]
+    pub fn dot(self, other: Vec2<S>) -> S::Sum {
+        S::dot(self.array(), other.array())
+    }
+
+    /// Euclidean length, saturating.
+    #[inline]
+    pub fn length(self) -> S {
+        S::length(self.array())
+    }
+
+    /// The vector of length `length` along `self`, whose own length the caller knows. Zero for a
+    /// null vector.
+    #[inline]
+    pub fn with_length(self, length: S, own: S) -> Vec2<S> {
+        self.map(|s| own.under(S::dot([s, S::ZERO], [length, S::ZERO])))
+    }
+
+    /// Whether both components are away from the ends of the range and finite.
+    #[inline]
+    pub fn is_inside(self) -> bool {
+        self.x.is_inside() && self.y.is_inside()
+    }
+
+    /// The same vector in `f64`, for reports.
+    pub fn to_f64(self) -> Vec2<f64> {
+        self.map(S::to_f64)
+    }
+}
+
+impl<S: Scalar> Add for Vec2<S> {
+    type Output = Vec2<S>;
+
+    #[inline]
+    fn add(self, other: Vec2<S>) -> Vec2<S> {
+        Vec2 { x: self.x.plus(other.x), y: self.y.plus(other.y) }
+    }
+}
+
+impl<S: Scalar> Sub for Vec2<S> {
+    type Output = Vec2<S>;
+
+    #[inline]
+    fn sub(self, other: Vec2<S>) -> Vec2<S> {
+        Vec2 { x: self.x.minus(other.x), y: self.y.minus(other.y) }
+    }
+}
+
+impl<S: Scalar> Neg for Vec2<S> {
+    type Output = Vec2<S>;
+
+    #[inline]
+    fn neg(self) -> Vec2<S> {
+        self.map(S::negated)
+    }
+}
+
+impl<S: Scalar> AddAssign for Vec2<S> {
+    #[inline]
+    fn add_assign(&mut self, other: Vec2<S>) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Scalar> SubAssign for Vec2<S> {
+    #[inline]
+    fn sub_assign(&mut self, other: Vec2<S>) {
+        *self = *self - other;
+    }
+}

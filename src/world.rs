@@ -1,0 +1,159 @@
+//! The arrays, and one default way through the stages.
+//!
+//! A world holds bodies, their ids and the tick: nothing else, so that a clone is a snapshot.
+//! Forces, step and method stay outside; a scene hands them in.
+
+use crate::body::Body;
+use crate::error::Full;
+use crate::force::Force;
+use crate::id::{self, BodyId};
+use crate::integrate::Method;
+use crate::time::TimeStep;
+
+/// Up to `N` bodies, in the order in which they were added.
+///
+/// `new` is `const`: a world can live in a `static`.
+///
+/// ```
+/// use fixstep::{vec2, Point, World, fixed::types::I16F16};
+/// let mut world = World::<Point<I16F16>, 1>::new();
+/// let ball = Point::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+/// let id = world.add(ball).unwrap();
+/// assert_eq!(world.add(ball).unwrap_err().0, ball); // full: the body comes back
+/// assert_eq!(world.remove(id), Some(ball));
+/// assert_eq!(world.get(id), None);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct World<B, const N: usize> {
+    tick: u64,
+    next: Option<BodyId>,
+    ids: heapless::Vec<BodyId, N, u16>,
+    bodies: heapless::Vec<B, N, u16>,
+}
+
+impl<B, const N: usize> World<B, N> {
+    /// An empty world at tick 0.
+    pub const fn new() -> Self {
+        const { assert!(N < 1 << 16, "a world holds up to 65535 bodies") };
+        World {
+            tick: 0,
+            next: Some(BodyId::FIRST),
+            ids: heapless::Vec::new(),
+            bodies: heapless::Vec::new(),
+        }
+    }
+}
+
+impl<B, const N: usize> Default for World<B, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<B: Body, const N: usize> World<B, N> {
+    /// Adds a body behind the others. A full world gives it back.
+    pub fn add(&mut self, body: B) -> Result<BodyId, Full<B>> {
+        let Some(id) = self.next else {
+            return Err(Full(body));
+        };
+        self.bodies.push(body).map_err(Full)?;
+        // Both arrays have the same room.
+        let _ = self.ids.push(id);
+        self.next = id.next();
+        Ok(id)
+    }
+
+    /// Takes a body out; those behind it move up. `None` for a stale id.
+    pub fn remove(&mut self, id: BodyId) -> Option<B> {
+        let gone = *self.get(id)?;
+        self.retain(|other, _| other != id);
+        Some(gone)
+    }
+
+    /// Keeps the bodies for which `keep` is true, in their order.
+    pub fn retain(&mut self, mut keep: impl FnMut(BodyId, &B) -> bool) {
+        let mut kept = 0;
+        for i in 0..self.bodies.len() {
+            let (Some(&id), Some(&body)) = (self.ids.get(i), self.bodies.get(i)) else {
+                break;
+            };
+            if keep(id, &body) {
+                if let (Some(to_id), Some(to)) = (self.ids.get_mut(kept), self.bodies.get_mut(kept)) {
+                    (*to_id, *to) = (id, body);
+                }
+                kept += 1;
+            }
+        }
+        self.ids.truncate(kept);
+        self.bodies.truncate(kept);
+    }
+
+    /// Takes all bodies out. The tick goes on, and no id is given again.
+    pub fn clear(&mut self) {
+        self.ids.clear();
+        self.bodies.clear();
+    }
+
+    /// The body of that name; `None` for a stale id.
+    pub fn get(&self, id: BodyId) -> Option<&B> {
+        self.bodies.get(id::position(&self.ids, id)?)
+    }
+
+    /// The body of that name, to be changed between steps.
+    pub fn get_mut(&mut self, id: BodyId) -> Option<&mut B> {
+        self.bodies.get_mut(id::position(&self.ids, id)?)
+    }
+
+    /// Every body with its id, in the order in which they were added.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (BodyId, &B)> {
+        self.ids.iter().copied().zip(&self.bodies)
+    }
+
+    /// Every body with its id, to be changed between steps.
+    pub fn iter_mut(&mut self) -> impl ExactSizeIterator<Item = (BodyId, &mut B)> {
+        self.ids.iter().copied().zip(&mut self.bodies)
+    }
+
+    /// The ids, rising; body `i` of [`bodies`](World::bodies) has id `i`.
+    pub fn ids(&self) -> &[BodyId] {
+        &self.ids
+    }
+
+    /// The bodies, for stages called by hand and for reports.
+    pub fn bodies(&self) -> &[B] {
+        &self.bodies
+    }
+
+    /// Number of bodies.
+    pub fn len(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Whether there is no body.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Number of steps made.
+    pub fn tick(&self) -> u64 {
+        self.tick
+    }
+
+    /// Makes one step.
+    #[inline]
+    pub fn step<M, F, H>(&mut self, method: &mut M, forces: &mut F, step: &H)
+    where
+        M: Method<B, N>,
+        F: Force<B>,
+        H: TimeStep<B::S>,
+    {
+        method.step(&self.ids, &mut self.bodies, forces, step, self.tick);
+        self.tick = self.tick.saturating_add(1);
+    }
+
+    /// The bodies that reached an end of the range, or are NaN or infinite.
+    pub fn out_of_range(&self) -> impl Iterator<Item = BodyId> {
+        self.iter().filter(|(_, body)| !body.is_inside()).map(|(id, _)| id)
+    }
+}
