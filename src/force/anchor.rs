@@ -4,7 +4,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Frame, coefficient};
+use crate::force::{Force, Frame, PerStep, coefficient};
 use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
@@ -18,7 +18,7 @@ pub struct Anchor<S: Scalar> {
     point: Vec2<S>,
     stiffness: S::Coef,
     damping: S::Coef,
-    per_step: (S::Coef, S::Coef),
+    per_step: PerStep<S, (S::Coef, S::Coef)>,
 }
 
 impl<S: Scalar> Anchor<S> {
@@ -32,7 +32,7 @@ impl<S: Scalar> Anchor<S> {
     ) -> Result<Anchor<S>, Error> {
         let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
         let damping = coefficient::<S>("damping", damping.into())?;
-        Ok(Anchor { body, point, stiffness, damping, per_step: (stiffness, damping) })
+        Ok(Anchor { body, point, stiffness, damping, per_step: PerStep::new() })
     }
 }
 
@@ -40,17 +40,13 @@ impl<B: Body> Force<B> for Anchor<B::S> {
     const COUPLES: bool = true;
 
     #[inline]
-    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        let h = now.step.coef();
-        self.per_step = (B::S::product(self.stiffness, h), B::S::product(self.damping, h));
-    }
-
-    #[inline]
-    fn couple<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, frame: &mut Frame<B>) {
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
         let Some((index, body)) = frame.find(self.body) else {
             return;
         };
-        let (stiffness, damping) = self.per_step;
+        let (stiffness, damping) = self.per_step.get(now.step, |h| {
+            (B::S::product(self.stiffness, h), B::S::product(self.damping, h))
+        });
         let pull = (self.point - body.position()).scaled(stiffness);
         let brake = body.velocity().scaled(damping);
         if let Some(live) = frame.live_at(index) {

@@ -5,7 +5,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, coefficient};
+use crate::force::{Force, PerStep, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 use crate::time::{Now, TimeStep};
@@ -20,6 +20,7 @@ use crate::time::{Now, TimeStep};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearDrag<S: Scalar> {
     drag: S::Coef,
+    per_step: PerStep<S, S::Coef>,
     impulse: S::Coef,
 }
 
@@ -27,14 +28,14 @@ impl<S: Scalar> LinearDrag<S> {
     /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
     pub fn new(drag: impl Into<Ratio>) -> Result<LinearDrag<S>, Error> {
         let drag = coefficient::<S>("drag", drag.into())?;
-        Ok(LinearDrag { drag, impulse: drag })
+        Ok(LinearDrag { drag, per_step: PerStep::new(), impulse: drag })
     }
 }
 
 impl<B: Body> Force<B> for LinearDrag<B::S> {
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        self.impulse = B::S::product(self.drag, now.step.coef());
+        self.impulse = self.per_step.get(now.step, |h| B::S::product(self.drag, h));
     }
 
     #[inline]

@@ -5,7 +5,7 @@
 //! `n g h` rounded once. That costs a few instructions a step and none a body.
 
 use crate::body::Body;
-use crate::force::Force;
+use crate::force::{Force, PerStep};
 use crate::id::BodyId;
 use crate::scalar::{Factor, Scalar};
 use crate::time::{Now, TimeStep};
@@ -19,22 +19,24 @@ use crate::vec2::Vec2;
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gravity<S> {
+pub struct Gravity<S: Scalar> {
     acceleration: Vec2<S>,
+    gain: PerStep<S, Vec2<S::Gain>>,
     share: Vec2<S>,
 }
 
 impl<S: Scalar> Gravity<S> {
     /// `acceleration` in m/s².
     pub fn new(acceleration: Vec2<S>) -> Gravity<S> {
-        Gravity { acceleration, share: Vec2::ZERO }
+        Gravity { acceleration, gain: PerStep::new(), share: Vec2::ZERO }
     }
 }
 
 impl<B: Body> Force<B> for Gravity<B::S> {
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        self.share = self.acceleration.map(|g| g.gain(now.step.coef(), now.tick()));
+        let gain = self.gain.get(now.step, |h| self.acceleration.map(|g| g.gain(h)));
+        self.share = Vec2 { x: B::S::gained(gain.x, now.tick()), y: B::S::gained(gain.y, now.tick()) };
     }
 
     #[inline]

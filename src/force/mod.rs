@@ -224,3 +224,26 @@ fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, 
         false => Error::RoundsToZero { field, value },
     })
 }
+
+/// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
+
+impl<S: Scalar, T: Copy> PerStep<S, T> {
+    const fn new() -> Self {
+        PerStep(None)
+    }
+
+    #[inline]
+    fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
+        let h = step.coef();
+        match self.0 {
+            Some((made_for, value)) if made_for == h => value,
+            _ => {
+                let value = make(h);
+                self.0 = Some((h, value));
+                value
+            }
+        }
+    }
+}

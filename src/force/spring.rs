@@ -11,7 +11,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Frame, coefficient};
+use crate::force::{Force, Frame, PerStep, coefficient};
 use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
@@ -26,7 +26,7 @@ pub struct Spring<S: Scalar> {
     rest_length: S,
     stiffness: S::Coef,
     damping: S::Coef,
-    per_step: (S::Coef, S::Coef),
+    per_step: PerStep<S, (S::Coef, S::Coef)>,
 }
 
 impl<S: Scalar> Spring<S> {
@@ -45,13 +45,19 @@ impl<S: Scalar> Spring<S> {
         let rest_length = S::ratio(value).ok_or(Error::OutOfRange { field, value })?;
         let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
         let damping = coefficient::<S>("damping", damping.into())?;
-        Ok(Spring { bodies, rest_length, stiffness, damping, per_step: (stiffness, damping) })
+        Ok(Spring { bodies, rest_length, stiffness, damping, per_step: PerStep::new() })
     }
 
     /// The impulse on the first body over one step.
     #[inline]
-    fn impulse<B: Body<S = S>>(&self, first: &B, second: &B) -> Vec2<S> {
-        let (stiffness, damping) = self.per_step;
+    fn impulse<B, H>(&mut self, step: &H, first: &B, second: &B) -> Vec2<S>
+    where
+        B: Body<S = S>,
+        H: TimeStep<S>,
+    {
+        let (stiffness, damping) = self.per_step.get(step, |h| {
+            (S::product(self.stiffness, h), S::product(self.damping, h))
+        });
         let along = second.position() - first.position();
         let length = along.length();
         let closing = length.under((second.velocity() - first.velocity()).dot(along));
@@ -64,18 +70,12 @@ impl<B: Body> Force<B> for Spring<B::S> {
     const COUPLES: bool = true;
 
     #[inline]
-    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        let h = now.step.coef();
-        self.per_step = (B::S::product(self.stiffness, h), B::S::product(self.damping, h));
-    }
-
-    #[inline]
-    fn couple<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, frame: &mut Frame<B>) {
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
         let [first, second] = self.bodies.map(|id| frame.find(id));
         let (Some((i, first)), Some((j, second))) = (first, second) else {
             return;
         };
-        let impulse = self.impulse(&first, &second);
+        let impulse = self.impulse(now.step, &first, &second);
         if let Some(live) = frame.live_at(i) {
             live.push(impulse);
         }

@@ -6,7 +6,7 @@
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
-use super::factor::{Coef, InvMass, Span};
+use super::factor::{Coef, Gain, InvMass, Span};
 use super::raw::Raw;
 use super::{Factor, Scalar};
 use crate::ratio::Ratio;
@@ -41,6 +41,7 @@ macro_rules! fixed_scalar {
             type Span = Span<$raw>;
             type InvMass = InvMass<$raw>;
             type Sum = <$raw as Raw>::Wide;
+            type Gain = Gain<$raw>;
 
             const ZERO: Self = {
                 assert!(F::U32 >= 1, "a scalar needs a fractional bit");
@@ -79,8 +80,14 @@ macro_rules! fixed_scalar {
             }
 
             #[inline]
-            fn gain(self, h: Coef<$raw>, tick: u64) -> Self {
-                $fixed::from_bits(h.share(self.to_bits(), tick))
+            fn gain(self, h: Coef<$raw>) -> Gain<$raw> {
+                h.gain(self.to_bits())
+            }
+
+            #[inline]
+            fn gained(gain: Gain<$raw>, tick: u64) -> Self {
+                let (whole, rest) = gain.at(tick);
+                $fixed::from_bits(whole).plus($fixed::from_bits(rest))
             }
 
             #[inline]

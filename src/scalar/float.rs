@@ -30,6 +30,7 @@ macro_rules! float_scalar {
             type Span = $float;
             type InvMass = $float;
             type Sum = $float;
+            type Gain = $float;
 
             const ZERO: $float = 0.0;
             const MAX: $float = $float::MAX;
@@ -74,8 +75,13 @@ macro_rules! float_scalar {
             }
 
             #[inline]
-            fn gain(self, h: $float, _tick: u64) -> $float {
+            fn gain(self, h: $float) -> $float {
                 h * self
+            }
+
+            #[inline]
+            fn gained(gain: $float, _tick: u64) -> $float {
+                gain
             }
 
             #[inline]

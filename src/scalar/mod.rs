@@ -25,7 +25,7 @@ use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
-pub use factor::{Coef, InvMass, Span};
+pub use factor::{Coef, Gain, InvMass, Span};
 
 /// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
@@ -57,6 +57,8 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     type InvMass: Factor<Self>;
     /// A sum of two products, narrowed once.
     type Sum: Copy + Debug;
+    /// What a constant rate adds in one step, finer than the scalar.
+    type Gain: Copy + Debug + PartialEq;
 
     /// Zero.
     const ZERO: Self;
@@ -83,9 +85,12 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// Called with constants: a shift where `num` is 1.
     fn dyadic(self, num: u32, shift: u32) -> Self;
 
-    /// `h * self`, with the part that does not fit the type spread over the ticks: the values of
-    /// ticks `0..n` sum to `n * h * self`, rounded once. Floats return `h * self`.
-    fn gain(self, h: Self::Coef, tick: u64) -> Self;
+    /// `h * self` for [`gained`](Scalar::gained), with more fraction than the scalar has.
+    fn gain(self, h: Self::Coef) -> Self::Gain;
+
+    /// The part of a gain that falls to `tick`: the values of ticks `0..n` sum to n times the
+    /// gain, rounded once. Floats return the gain itself.
+    fn gained(gain: Self::Gain, tick: u64) -> Self;
 
     /// `a.x * b.x + a.y * b.y` in the wide type.
     fn dot(a: [Self; 2], b: [Self; 2]) -> Self::Sum;

@@ -48,8 +48,9 @@ pub trait Raw: Copy + Debug + PartialEq + 'static {
     /// `self / 2^shift`, nearest with ties up; `1 <= shift < BITS`, `|self| < 2^(BITS-2)`.
     fn half_up(self, shift: u32) -> Self;
 
-    /// The `tick`-th of the values whose first `n` sum to `n * wide / 2^shift`, rounded.
-    fn share(wide: Self::Wide, shift: u32, tick: u64) -> Self;
+    /// `wide / 2^shift` as a whole part towards zero, a unit of its sign, and 32 bits of fraction;
+    /// `1 <= shift <= 2 BITS - 2`.
+    fn split(wide: Self::Wide, shift: u32) -> (Self, Self, u32);
 
     /// A product of two mantissas as a mantissa: the value, and the shift that led there.
     fn renormalised(product: Self::Wide) -> (Self, u32);
@@ -132,18 +133,19 @@ macro_rules! raw {
                 (root + up).min($raw::MAX as $unsigned_wide) as $raw
             }
 
-            // A shift works on the magnitude, where half up is ties away; the most negative
-            // value has a magnitude too, as an unsigned number.
+            // As in `rounded`. The sum leaves the range only within half a unit of the top, where
+            // the result is the next whole number up.
             #[inline(always)]
             fn dyadic(self, num: u32, shift: u32) -> $raw {
                 const MASK: u32 = $raw::BITS - 1;
                 if num != 1 {
                     return Self::rounded((self as $wide).wrapping_mul(num as $wide), shift);
                 }
-                let sign = self >> MASK;
                 let half = 1 << (shift.wrapping_sub(1) & MASK);
-                let magnitude = self.unsigned_abs().wrapping_add(half) >> (shift & MASK);
-                (magnitude as $raw ^ sign).wrapping_sub(sign)
+                match self.checked_add(half + (self >> MASK)) {
+                    Some(sum) => sum >> (shift & MASK),
+                    None => (self >> (shift & MASK)) + 1,
+                }
             }
 
             #[inline]
@@ -153,21 +155,17 @@ macro_rules! raw {
                 self.wrapping_add(half) >> (shift & MASK)
             }
 
-            // With f the fraction in units of 2^-32, share t is whole + 1 where f t + 1/2 passes
-            // a whole number between t and t + 1: the top bit of a 32-bit counter that may wrap.
             #[inline]
-            fn share(wide: $wide, shift: u32, tick: u64) -> $raw {
+            fn split(wide: $wide, shift: u32) -> ($raw, $raw, u32) {
                 const MASK: u32 = $wide::BITS - 1;
                 let magnitude = wide.unsigned_abs();
-                let whole = magnitude >> (shift & MASK);
                 let fraction = match shift {
                     32.. => magnitude >> (shift - 32 & MASK),
                     _ => magnitude << (32 - shift & MASK),
-                } as u32;
-                let phase = fraction.wrapping_mul(tick as u32).wrapping_add(1 << 31);
-                let carry = phase.overflowing_add(fraction).1 as $unsigned_wide;
-                let value = (whole + carry).min($raw::MAX as $unsigned_wide) as $raw;
-                if wide < 0 { -value } else { value }
+                };
+                let whole = (magnitude >> (shift & MASK)).min($raw::MAX as $unsigned_wide) as $raw;
+                let (whole, unit) = if wide < 0 { (-whole, -1) } else { (whole, 1) };
+                (whole, unit, fraction as u32)
             }
 
             // The bits of the product, less those a mantissa has.
