@@ -24,6 +24,12 @@ pub trait Body: Copy + 'static {
     /// `v += dv`: a change of velocity that is the same for every mass, m/s.
     fn kick(&mut self, dv: Vec2<Self::S>);
 
+    /// `v.y += dv`: a [`kick`](Body::kick) along y alone.
+    #[inline]
+    fn kick_y(&mut self, dv: Self::S) {
+        self.kick(Vec2::new(Self::S::ZERO, dv));
+    }
+
     /// `v += impulse / m`, kg m/s.
     fn push(&mut self, impulse: Vec2<Self::S>);
 
@@ -69,7 +75,11 @@ impl<S: Scalar> Point<S> {
         let inv_mass = S::InvMass::new(inverse).ok_or(Error::OutOfRange { field, value })?;
         finite("position", position)?;
         finite("velocity", velocity)?;
-        Ok(Point { position, velocity, inv_mass })
+        Ok(Point {
+            position,
+            velocity,
+            inv_mass,
+        })
     }
 
     /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
@@ -89,7 +99,11 @@ impl<S: Scalar> Point<S> {
 
 /// A finite number less itself is zero; infinity and NaN give NaN.
 fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
-    if v - v == Vec2::ZERO { Ok(()) } else { Err(Error::NotFinite { field }) }
+    if v - v == Vec2::ZERO {
+        Ok(())
+    } else {
+        Err(Error::NotFinite { field })
+    }
 }
 
 impl<S: Scalar> Body for Point<S> {
@@ -113,6 +127,11 @@ impl<S: Scalar> Body for Point<S> {
     #[inline]
     fn kick(&mut self, dv: Vec2<S>) {
         self.velocity += dv;
+    }
+
+    #[inline]
+    fn kick_y(&mut self, dv: S) {
+        self.velocity.y = self.velocity.y.plus(dv);
     }
 
     #[inline]

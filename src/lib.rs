@@ -23,7 +23,7 @@ pub use fixed;
 
 pub use body::{Body, Point};
 pub use error::{Error, Full};
-pub use force::{AllBodies, Anchor, Force, Gravity, LinearDrag, PerBody, Spring};
+pub use force::{AllBodies, Anchor, Force, Gravity, GravityY, LinearDrag, PerBody, Spring};
 pub use id::BodyId;
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
 pub use ratio::Ratio;

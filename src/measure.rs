@@ -13,8 +13,15 @@ use crate::world::World;
 impl<B: Body, const N: usize> World<B, N> {
     /// Total momentum `sum(m v)`, kg m/s.
     pub fn momentum(&self) -> Vec2<f64> {
-        let of = |body: &B| body.velocity().to_f64().map(|v| v / body.inv_mass().to_f64());
-        self.bodies().iter().map(of).fold(Vec2::ZERO, |sum, p| sum + p)
+        let of = |body: &B| {
+            body.velocity()
+                .to_f64()
+                .map(|v| v / body.inv_mass().to_f64())
+        };
+        self.bodies()
+            .iter()
+            .map(of)
+            .fold(Vec2::ZERO, |sum, p| sum + p)
     }
 
     /// Total kinetic energy `sum(m v²/2)`, J.

@@ -41,13 +41,19 @@ impl Ratio {
         if self.num <= 0 {
             return None;
         }
-        Some(Ratio { num: self.den as i64, den: self.num as u64 })
+        Some(Ratio {
+            num: self.den as i64,
+            den: self.num as u64,
+        })
     }
 
     /// `self / 2`; `None` where the denominator has no room for it.
     pub(crate) const fn halved(self) -> Option<Ratio> {
         match self.den <= LIMIT / 2 {
-            true => Some(Ratio { num: self.num, den: self.den * 2 }),
+            true => Some(Ratio {
+                num: self.num,
+                den: self.den * 2,
+            }),
             false => None,
         }
     }
@@ -119,7 +125,11 @@ impl Ratio {
         };
         let q = division.round(bits);
         let e = division.exponent - bits as i32 + 1;
-        if q >> bits == 0 { (q, e) } else { (q >> 1, e + 1) }
+        if q >> bits == 0 {
+            (q, e)
+        } else {
+            (q >> 1, e + 1)
+        }
     }
 
     /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^63`.
@@ -179,7 +189,10 @@ impl Division {
 
 impl From<i32> for Ratio {
     fn from(whole: i32) -> Ratio {
-        Ratio { num: whole as i64, den: 1 }
+        Ratio {
+            num: whole as i64,
+            den: 1,
+        }
     }
 }
 

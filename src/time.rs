@@ -179,7 +179,9 @@ impl Time {
 
     /// The time since the start, exactly; `None` when it needs more than 62 bits.
     pub fn elapsed(self) -> Option<Ratio> {
-        let num = i64::try_from(self.half_ticks).ok()?.checked_mul(self.seconds.num())?;
+        let num = i64::try_from(self.half_ticks)
+            .ok()?
+            .checked_mul(self.seconds.num())?;
         Ratio::new(num, self.seconds.den().checked_mul(2)?).ok()
     }
 }
@@ -196,12 +198,20 @@ pub struct Now<'a, H> {
 impl<'a, H> Now<'a, H> {
     /// The start of step `tick`.
     pub fn start(step: &'a H, tick: u64) -> Self {
-        Now { step, tick, middle: false }
+        Now {
+            step,
+            tick,
+            middle: false,
+        }
     }
 
     /// The middle of step `tick`.
     pub fn middle(step: &'a H, tick: u64) -> Self {
-        Now { step, tick, middle: true }
+        Now {
+            step,
+            tick,
+            middle: true,
+        }
     }
 
     /// Number of the step that is being made; the first is 0.
@@ -214,7 +224,13 @@ impl<'a, H> Now<'a, H> {
     where
         H: TimeStep<S>,
     {
-        let half_ticks = self.tick.saturating_mul(2).saturating_add(self.middle as u64);
-        Time { half_ticks, seconds: self.step.seconds() }
+        let half_ticks = self
+            .tick
+            .saturating_mul(2)
+            .saturating_add(self.middle as u64);
+        Time {
+            half_ticks,
+            seconds: self.step.seconds(),
+        }
     }
 }

@@ -27,12 +27,18 @@ pub struct Vec2<S> {
 /// ```
 pub fn vec2<S: Scalar>(x: impl Into<Ratio>, y: impl Into<Ratio>) -> Result<Vec2<S>, Error> {
     let component = |field, value| S::ratio(value).ok_or(Error::OutOfRange { field, value });
-    Ok(Vec2 { x: component("x", x.into())?, y: component("y", y.into())? })
+    Ok(Vec2 {
+        x: component("x", x.into())?,
+        y: component("y", y.into())?,
+    })
 }
 
 impl<S: Scalar> Vec2<S> {
     /// The null vector.
-    pub const ZERO: Vec2<S> = Vec2 { x: S::ZERO, y: S::ZERO };
+    pub const ZERO: Vec2<S> = Vec2 {
+        x: S::ZERO,
+        y: S::ZERO,
+    };
 
     /// From its components.
     #[inline]
@@ -49,7 +55,10 @@ impl<S: Scalar> Vec2<S> {
     /// Each component through `f`.
     #[inline]
     pub fn map<T>(self, mut f: impl FnMut(S) -> T) -> Vec2<T> {
-        Vec2 { x: f(self.x), y: f(self.y) }
+        Vec2 {
+            x: f(self.x),
+            y: f(self.y),
+        }
     }
 
     /// Times a factor, each component rounded once.
@@ -94,7 +103,10 @@ impl<S: Scalar> Add for Vec2<S> {
 
     #[inline]
     fn add(self, other: Vec2<S>) -> Vec2<S> {
-        Vec2 { x: self.x.plus(other.x), y: self.y.plus(other.y) }
+        Vec2 {
+            x: self.x.plus(other.x),
+            y: self.y.plus(other.y),
+        }
     }
 }
 
@@ -103,7 +115,10 @@ impl<S: Scalar> Sub for Vec2<S> {
 
     #[inline]
     fn sub(self, other: Vec2<S>) -> Vec2<S> {
-        Vec2 { x: self.x.minus(other.x), y: self.y.minus(other.y) }
+        Vec2 {
+            x: self.x.minus(other.x),
+            y: self.y.minus(other.y),
+        }
     }
 }
 

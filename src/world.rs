@@ -79,7 +79,8 @@ impl<B: Body, const N: usize> World<B, N> {
                 break;
             };
             if keep(id, &body) {
-                if let (Some(to_id), Some(to)) = (self.ids.get_mut(kept), self.bodies.get_mut(kept)) {
+                if let (Some(to_id), Some(to)) = (self.ids.get_mut(kept), self.bodies.get_mut(kept))
+                {
                     (*to_id, *to) = (id, body);
                 }
                 kept += 1;
@@ -149,11 +150,14 @@ impl<B: Body, const N: usize> World<B, N> {
         H: TimeStep<B::S>,
     {
         method.step(&self.ids, &mut self.bodies, forces, step, self.tick);
-        self.tick = self.tick.saturating_add(1);
+        // Comes round after 2^64 steps: at 1 kHz, 600 million years.
+        self.tick = self.tick.wrapping_add(1);
     }
 
     /// The bodies that reached an end of the range, or are NaN or infinite.
     pub fn out_of_range(&self) -> impl Iterator<Item = BodyId> {
-        self.iter().filter(|(_, body)| !body.is_inside()).map(|(id, _)| id)
+        self.iter()
+            .filter(|(_, body)| !body.is_inside())
+            .map(|(id, _)| id)
     }
 }

@@ -27,7 +27,10 @@ pub struct AllBodies<F, S, const N: usize> {
 impl<F, S: crate::scalar::Scalar, const N: usize> AllBodies<F, S, N> {
     /// Bodies beyond the first `N` feel nothing: choose the capacity of the world.
     pub fn new(function: F) -> Self {
-        AllBodies { function, forces: [Vec2::ZERO; N] }
+        AllBodies {
+            function,
+            forces: [Vec2::ZERO; N],
+        }
     }
 }
 

@@ -32,7 +32,13 @@ impl<S: Scalar> Anchor<S> {
     ) -> Result<Anchor<S>, Error> {
         let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
         let damping = coefficient::<S>("damping", damping.into())?;
-        Ok(Anchor { body, point, stiffness, damping, per_step: PerStep::new() })
+        Ok(Anchor {
+            body,
+            point,
+            stiffness,
+            damping,
+            per_step: PerStep::new(),
+        })
     }
 }
 
@@ -45,7 +51,10 @@ impl<B: Body> Force<B> for Anchor<B::S> {
             return;
         };
         let (stiffness, damping) = self.per_step.get(now.step, |h| {
-            (B::S::product(self.stiffness, h), B::S::product(self.damping, h))
+            (
+                B::S::product(self.stiffness, h),
+                B::S::product(self.damping, h),
+            )
         });
         let pull = (self.point - body.position()).scaled(stiffness);
         let brake = body.velocity().scaled(damping);

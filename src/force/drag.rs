@@ -28,7 +28,11 @@ impl<S: Scalar> LinearDrag<S> {
     /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
     pub fn new(drag: impl Into<Ratio>) -> Result<LinearDrag<S>, Error> {
         let drag = coefficient::<S>("drag", drag.into())?;
-        Ok(LinearDrag { drag, per_step: PerStep::new(), impulse: drag })
+        Ok(LinearDrag {
+            drag,
+            per_step: PerStep::new(),
+            impulse: drag,
+        })
     }
 }
 

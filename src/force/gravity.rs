@@ -5,8 +5,10 @@
 //! `n g h` rounded once. That costs a few instructions a step and none a body.
 
 use crate::body::Body;
+use crate::error::Error;
 use crate::force::{Force, PerStep};
 use crate::id::BodyId;
+use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
@@ -28,15 +30,24 @@ pub struct Gravity<S: Scalar> {
 impl<S: Scalar> Gravity<S> {
     /// `acceleration` in m/s².
     pub fn new(acceleration: Vec2<S>) -> Gravity<S> {
-        Gravity { acceleration, gain: PerStep::new(), share: Vec2::ZERO }
+        Gravity {
+            acceleration,
+            gain: PerStep::new(),
+            share: Vec2::ZERO,
+        }
     }
 }
 
 impl<B: Body> Force<B> for Gravity<B::S> {
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        let gain = self.gain.get(now.step, |h| self.acceleration.map(|g| g.gain(h)));
-        self.share = Vec2 { x: B::S::gained(gain.x, now.tick()), y: B::S::gained(gain.y, now.tick()) };
+        let gain = self
+            .gain
+            .get(now.step, |h| self.acceleration.map(|g| g.gain(h)));
+        self.share = Vec2 {
+            x: B::S::gained(gain.x, now.tick()),
+            y: B::S::gained(gain.y, now.tick()),
+        };
     }
 
     #[inline]
@@ -45,11 +56,59 @@ impl<B: Body> Force<B> for Gravity<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        let g = self.acceleration.to_f64();
-        let of = |body: &B| {
-            let x = body.position().to_f64();
-            -(g.x * x.x + g.y * x.y) / body.inv_mass().to_f64()
-        };
-        bodies.iter().map(of).sum()
+        potential(self.acceleration, bodies)
     }
+}
+
+/// Gravity along y, the usual case: one addition a body instead of two.
+///
+/// ```
+/// use fixstep::{dec, GravityY, fixed::types::I16F16};
+/// let gravity = GravityY::<I16F16>::new(dec!(-9.81))?;
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GravityY<S: Scalar> {
+    acceleration: S,
+    gain: PerStep<S, S::Gain>,
+    share: S,
+}
+
+impl<S: Scalar> GravityY<S> {
+    /// `acceleration` in m/s², negative where y points up. Refuses a value outside the range.
+    pub fn new(acceleration: impl Into<Ratio>) -> Result<GravityY<S>, Error> {
+        let (field, value) = ("acceleration", acceleration.into());
+        let acceleration = S::ratio(value).ok_or(Error::OutOfRange { field, value })?;
+        Ok(GravityY {
+            acceleration,
+            gain: PerStep::new(),
+            share: S::ZERO,
+        })
+    }
+}
+
+impl<B: Body> Force<B> for GravityY<B::S> {
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let gain = self.gain.get(now.step, |h| self.acceleration.gain(h));
+        self.share = B::S::gained(gain, now.tick());
+    }
+
+    #[inline]
+    fn field<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, _seen: &B, live: &mut B) {
+        live.kick_y(self.share);
+    }
+
+    fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
+        potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
+    }
+}
+
+/// `-sum(m g·x)`.
+fn potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
+    let g = acceleration.to_f64();
+    bodies
+        .iter()
+        .map(|body| -g.dot(body.position().to_f64()) / body.inv_mass().to_f64())
+        .sum()
 }

@@ -3,6 +3,7 @@
 //! | force | acts on | cost |
 //! |---|---|---|
 //! | [`Gravity`] | every body, from itself | one addition an axis |
+//! | [`GravityY`] | every body, from itself | one addition |
 //! | [`LinearDrag`] | every body, from itself | two products an axis |
 //! | [`PerBody`] | every body, from itself | your function, two products an axis |
 //! | [`Anchor`] | one body | three products an axis |
@@ -31,7 +32,7 @@ use crate::time::{Now, TimeStep};
 pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
 pub use drag::LinearDrag;
-pub use gravity::Gravity;
+pub use gravity::{Gravity, GravityY};
 pub use per_body::PerBody;
 pub use spring::Spring;
 
@@ -49,12 +50,20 @@ pub struct Frame<'a, B> {
 impl<'a, B: Body> Frame<'a, B> {
     /// Forces read and push the same bodies.
     pub fn new(ids: &'a [BodyId], bodies: &'a mut [B]) -> Self {
-        Frame { ids, seen: None, live: bodies }
+        Frame {
+            ids,
+            seen: None,
+            live: bodies,
+        }
     }
 
     /// Forces read `seen` and push `live`: two copies of the same bodies.
     pub fn split(ids: &'a [BodyId], seen: &'a [B], live: &'a mut [B]) -> Self {
-        Frame { ids, seen: Some(seen), live }
+        Frame {
+            ids,
+            seen: Some(seen),
+            live,
+        }
     }
 
     /// The bodies as forces are to see them.
@@ -128,7 +137,8 @@ impl<B: Body, F: Force<B>> Force<B> for [F] {
 
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
-        self.iter_mut().for_each(|force| force.field(now, seen, live));
+        self.iter_mut()
+            .for_each(|force| force.field(now, seen, live));
     }
 
     fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
@@ -239,11 +249,15 @@ impl<S: Scalar, T: Copy> PerStep<S, T> {
         let h = step.coef();
         match self.0 {
             Some((made_for, value)) if made_for == h => value,
-            _ => {
-                let value = make(h);
-                self.0 = Some((h, value));
-                value
-            }
+            _ => self.renew(h, make),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> T {
+        let value = make(h);
+        self.0 = Some((h, value));
+        value
     }
 }

@@ -45,7 +45,13 @@ impl<S: Scalar> Spring<S> {
         let rest_length = S::ratio(value).ok_or(Error::OutOfRange { field, value })?;
         let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
         let damping = coefficient::<S>("damping", damping.into())?;
-        Ok(Spring { bodies, rest_length, stiffness, damping, per_step: PerStep::new() })
+        Ok(Spring {
+            bodies,
+            rest_length,
+            stiffness,
+            damping,
+            per_step: PerStep::new(),
+        })
     }
 
     /// The impulse on the first body over one step.

@@ -10,7 +10,7 @@
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
-use super::Method;
+use super::{Method, drift_half, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -25,7 +25,9 @@ pub struct ConstantAcceleration<B, const N: usize> {
 impl<B, const N: usize> ConstantAcceleration<B, N> {
     /// With room for the copy.
     pub const fn new() -> Self {
-        ConstantAcceleration { seen: heapless::Vec::new() }
+        ConstantAcceleration {
+            seen: heapless::Vec::new(),
+        }
     }
 }
 
@@ -51,17 +53,17 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
             self.seen.clear();
             self.seen.extend(bodies.iter().copied().take(N));
         }
-        for body in bodies.iter_mut() {
+        each(bodies, |body| {
             let seen = *body;
             body.drift_half(step);
             forces.field(&now, &seen, body);
             if !F::COUPLES {
                 body.drift_half(step);
             }
-        }
+        });
         if F::COUPLES {
             forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
-            super::drift_half(bodies, step);
+            drift_half(bodies, step);
         }
     }
 }

@@ -10,7 +10,7 @@
 //! Free fall comes out `g T h / 2` short along g. For teaching, and as the worst line of a chart.
 //! Source: Hecker, "Physics, The Next Frontier" (1996).
 
-use super::Method;
+use super::{Method, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -25,7 +25,9 @@ pub struct Euler<B, const N: usize> {
 impl<B, const N: usize> Euler<B, N> {
     /// With room for the copy.
     pub const fn new() -> Self {
-        Euler { seen: heapless::Vec::new() }
+        Euler {
+            seen: heapless::Vec::new(),
+        }
     }
 }
 
@@ -51,11 +53,11 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
             self.seen.clear();
             self.seen.extend(bodies.iter().copied().take(N));
         }
-        for body in bodies.iter_mut() {
+        each(bodies, |body| {
             let seen = *body;
             body.drift(step);
             forces.field(&now, &seen, body);
-        }
+        });
         forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
     }
 }

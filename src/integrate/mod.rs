@@ -48,24 +48,31 @@ pub fn kick<B: Body, F: Force<B>, H: TimeStep<B::S>>(
 ) {
     forces.prepare(now);
     forces.couple(now, &mut Frame::new(ids, bodies));
-    for body in bodies {
+    each(bodies, |body| {
         let seen = *body;
         forces.field(now, &seen, body);
-    }
+    });
 }
 
 /// Stage: `x += h v` for every body.
 #[inline]
 pub fn drift<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
-    for body in bodies {
-        body.drift(step);
-    }
+    each(bodies, |body| body.drift(step));
 }
 
 /// Stage: `x += h/2 v` for every body.
 #[inline]
 pub fn drift_half<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
-    for body in bodies {
-        body.drift_half(step);
+    each(bodies, |body| body.drift_half(step));
+}
+
+/// `f` on every body. Counts bodies, not addresses: from a loop over addresses the compiler
+/// divides by the size of a body before it unrolls, 150 instructions on a core that cannot divide.
+#[inline(always)]
+fn each<B>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
+    let mut rest = bodies;
+    while let Some((body, behind)) = rest.split_first_mut() {
+        f(body);
+        rest = behind;
     }
 }

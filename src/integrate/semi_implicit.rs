@@ -10,7 +10,7 @@
 //! Free fall comes out `g T h / 2` too far along g.
 //! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", VI.3 and IX.
 
-use super::Method;
+use super::{Method, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -33,10 +33,10 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         forces.couple(&now, &mut Frame::new(ids, bodies));
-        for body in bodies {
+        each(bodies, |body| {
             let seen = *body;
             forces.field(&now, &seen, body);
             body.drift(step);
-        }
+        });
     }
 }

@@ -13,7 +13,7 @@
 //! reads. Drift-kick-drift has neither fault; its price is a second product per axis.
 //! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", I.1.4.
 
-use super::{Method, drift_half};
+use super::{Method, drift_half, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -39,13 +39,13 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
             drift_half(bodies, step);
             forces.couple(&now, &mut Frame::new(ids, bodies));
         }
-        for body in bodies {
+        each(bodies, |body| {
             if !F::COUPLES {
                 body.drift_half(step);
             }
             let seen = *body;
             forces.field(&now, &seen, body);
             body.drift_half(step);
-        }
+        });
     }
 }

@@ -46,9 +46,15 @@ impl<R: Raw> Gain<R> {
     /// whole number between `t = tick` and `tick + 1`, the carry of a counter that may wrap.
     #[inline]
     pub(super) fn at(self, tick: u64) -> (R, R) {
-        let phase = self.fraction.wrapping_mul(tick as u32).wrapping_add(1 << 31);
+        let phase = self
+            .fraction
+            .wrapping_mul(tick as u32)
+            .wrapping_add(1 << 31);
         let due = phase.overflowing_add(self.fraction).1;
-        (self.whole, if due { self.unit } else { R::signed(0, false) })
+        (
+            self.whole,
+            if due { self.unit } else { R::signed(0, false) },
+        )
     }
 }
 
@@ -62,7 +68,9 @@ impl<R: Raw> Coef<R> {
             _ => u32::try_from(-exponent).ok()?,
         };
         let mantissa = R::signed(mantissa, ratio.num() < 0);
-        (1..=Self::MAX_SHIFT).contains(&shift).then_some(Coef { mantissa, shift })
+        (1..=Self::MAX_SHIFT)
+            .contains(&shift)
+            .then_some(Coef { mantissa, shift })
     }
 
     #[inline]
@@ -76,14 +84,23 @@ impl<R: Raw> Coef<R> {
         let (mantissa, up) = R::renormalised(self.mantissa.product(other.mantissa));
         let shift = self.shift + other.shift;
         if shift <= up {
-            return Coef { mantissa: mantissa.limit(), shift: 1 };
+            return Coef {
+                mantissa: mantissa.limit(),
+                shift: 1,
+            };
         }
         match (shift - up).checked_sub(Self::MAX_SHIFT) {
-            None | Some(0) => Coef { mantissa, shift: shift - up },
+            None | Some(0) => Coef {
+                mantissa,
+                shift: shift - up,
+            },
             Some(excess) => {
                 let lost = excess.min(R::BITS);
                 let mantissa = R::rounded(mantissa.product(R::signed(1, false)), lost);
-                Coef { mantissa, shift: Self::MAX_SHIFT }
+                Coef {
+                    mantissa,
+                    shift: Self::MAX_SHIFT,
+                }
             }
         }
     }
@@ -92,7 +109,11 @@ impl<R: Raw> Coef<R> {
     #[inline]
     pub(super) fn gain(self, value: R) -> Gain<R> {
         let (whole, unit, fraction) = R::split(value.product(self.mantissa), self.shift);
-        Gain { whole, unit, fraction }
+        Gain {
+            whole,
+            unit,
+            fraction,
+        }
     }
 
     pub(super) fn to_f64(self) -> f64 {
@@ -127,7 +148,8 @@ impl<R: Raw> InvMass<R> {
     pub(super) fn new(ratio: Ratio) -> Option<InvMass<R>> {
         let (mantissa, exponent) = ratio.mantissa(R::BITS - 6);
         let shift = u32::try_from(5 - exponent).ok()?.checked_sub(Self::BASE)?;
-        (ratio.num() > 0 && shift < 32).then(|| InvMass(R::signed(mantissa << 5 | shift as u64, false)))
+        (ratio.num() > 0 && shift < 32)
+            .then(|| InvMass(R::signed(mantissa << 5 | shift as u64, false)))
     }
 
     #[inline]

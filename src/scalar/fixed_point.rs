@@ -51,7 +51,11 @@ macro_rules! fixed_scalar {
 
             fn ratio(ratio: Ratio) -> Option<Self> {
                 let magnitude = $raw::try_from(ratio.shifted(F::U32)?).ok()?;
-                Some($fixed::from_bits(if ratio.num() < 0 { -magnitude } else { magnitude }))
+                Some($fixed::from_bits(if ratio.num() < 0 {
+                    -magnitude
+                } else {
+                    magnitude
+                }))
             }
 
             #[inline]

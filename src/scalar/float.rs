@@ -46,7 +46,11 @@ macro_rules! float_scalar {
                 let exponent = (exponent + FRACTION as i32 + bias) as $bits;
                 let bits = (exponent << FRACTION) | (mantissa as $bits & ((1 << FRACTION) - 1));
                 let magnitude = <$float>::from_bits(bits);
-                Some(if ratio.num() < 0 { -magnitude } else { magnitude })
+                Some(if ratio.num() < 0 {
+                    -magnitude
+                } else {
+                    magnitude
+                })
             }
 
             #[inline]
@@ -117,7 +121,11 @@ macro_rules! float_scalar {
             // NaN payloads differ between targets, and -0 == 0.
             #[inline]
             fn bits(self) -> u64 {
-                let canonical = if self.is_nan() { <$float>::NAN } else { self + 0.0 };
+                let canonical = if self.is_nan() {
+                    <$float>::NAN
+                } else {
+                    self + 0.0
+                };
                 canonical.to_bits() as u64
             }
 

@@ -66,7 +66,11 @@ macro_rules! raw {
             #[inline]
             fn signed(magnitude: u64, negative: bool) -> $raw {
                 let value = magnitude as $raw;
-                if negative { value.wrapping_neg() } else { value }
+                if negative {
+                    value.wrapping_neg()
+                } else {
+                    value
+                }
             }
 
             #[inline]
@@ -142,8 +146,8 @@ macro_rules! raw {
                     return Self::rounded((self as $wide).wrapping_mul(num as $wide), shift);
                 }
                 let half = 1 << (shift.wrapping_sub(1) & MASK);
-                match self.checked_add(half + (self >> MASK)) {
-                    Some(sum) => sum >> (shift & MASK),
+                match self.checked_add(half) {
+                    Some(sum) => sum.wrapping_add(self >> MASK) >> (shift & MASK),
                     None => (self >> (shift & MASK)) + 1,
                 }
             }
@@ -208,7 +212,10 @@ fn high_product_i64(a: i64, b: i64) -> i64 {
 /// Schoolbook product of 16-bit halves. No sum wraps: `|high * low| <= 2^31 - 2^15`, and what is
 /// added to it is below `2^15` in the first line of `mixed`, and below `2^16` in `other`, whose
 /// factors cannot both be extreme because `b`'s high half is at least `-2^15`.
-#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), allow(dead_code))]
+#[cfg_attr(
+    not(all(target_arch = "arm", not(target_has_atomic = "32"))),
+    allow(dead_code)
+)]
 #[inline(always)]
 fn high_product_halves(a: i32, b: i32) -> i32 {
     let (a_high, a_low) = (a >> 16, a & 0xFFFF);
@@ -226,10 +233,24 @@ mod tests {
 
     #[test]
     fn halves_give_the_high_word() {
-        let corners = [i32::MIN, i32::MIN + 1, -65_537, -65_536, -65_535, -1, 0, 1, 65_535, 65_536, i32::MAX];
+        let corners = [
+            i32::MIN,
+            i32::MIN + 1,
+            -65_537,
+            -65_536,
+            -65_535,
+            -1,
+            0,
+            1,
+            65_535,
+            65_536,
+            i32::MAX,
+        ];
         let mut seed = 1_u64;
         let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (seed >> 32) as i32
         };
         for _ in 0..1_000_000 {

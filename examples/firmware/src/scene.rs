@@ -1,6 +1,6 @@
 //! The gravity scene: 32 points that fall side by side. The host tests run the same file.
 
-use fixstep::{Error, Gravity, Method, Point, Scalar, TimeStep, World, dec, vec2};
+use fixstep::{Error, GravityY, Method, Point, Scalar, TimeStep, World, dec, vec2};
 
 /// Points in the scene.
 pub const POINTS: usize = 32;
@@ -15,13 +15,13 @@ pub fn build<S: Scalar>() -> Result<World<Point<S>, POINTS>, Error> {
 }
 
 /// Gravity along one axis.
-pub fn gravity<S: Scalar>() -> Result<Gravity<S>, Error> {
-    Ok(Gravity::new(vec2(0, dec!(-9.81))?))
+pub fn gravity<S: Scalar>() -> Result<GravityY<S>, Error> {
+    GravityY::new(dec!(-9.81))
 }
 
 /// Makes `steps` steps; not inlined, so that it can be looked at.
 #[inline(never)]
-pub fn run<S, M, H>(world: &mut World<Point<S>, POINTS>, mut method: M, step: &H, gravity: &mut Gravity<S>, steps: u32)
+pub fn run<S, M, H>(world: &mut World<Point<S>, POINTS>, mut method: M, step: &H, gravity: &mut GravityY<S>, steps: u32)
 where
     S: Scalar,
     M: Method<Point<S>, POINTS>,
