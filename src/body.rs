@@ -65,6 +65,7 @@ impl<S: Scalar> Point<S> {
     /// assert!(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 0).is_err());
     /// # Ok::<(), fixstep::Error>(())
     /// ```
+    #[inline]
     pub fn new(
         position: Vec2<S>,
         velocity: Vec2<S>,
@@ -98,6 +99,7 @@ impl<S: Scalar> Point<S> {
 }
 
 /// A finite number less itself is zero; infinity and NaN give NaN.
+#[inline]
 fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
     if v - v == Vec2::ZERO {
         Ok(())

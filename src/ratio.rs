@@ -1,10 +1,11 @@
 //! Constants as ratios of integers, so that no floating-point code is needed to make them.
 //!
-//! A [`Ratio`] is exact. A number type rounds it once, when a constructor asks for it, by long
-//! division one bit at a time: slow (some hundred instructions), small, without a division
-//! routine, and the same on every target. It runs at start-up, never in a step.
+//! A [`Ratio`] is exact. A number type rounds it once, when a constructor asks for it. Of a ratio
+//! that is written in the source the compiler makes the rounded constant; one that is known only
+//! at run time costs a 128-bit division, about 1 KB of code on a Cortex-M0+.
 
 use core::fmt;
+use core::num::NonZero;
 
 use crate::error::Error;
 
@@ -21,7 +22,7 @@ pub struct Ratio {
     den: u64,
 }
 
-/// Largest numerator and denominator: long division needs one spare bit.
+/// Largest numerator and denominator: leaves room to round and to halve.
 const LIMIT: u64 = 1 << 62;
 
 impl Ratio {
@@ -37,6 +38,7 @@ impl Ratio {
     }
 
     /// `1 / self` of a ratio greater than zero.
+    #[inline]
     pub(crate) const fn inverse(self) -> Option<Ratio> {
         if self.num <= 0 {
             return None;
@@ -48,6 +50,7 @@ impl Ratio {
     }
 
     /// `self / 2`; `None` where the denominator has no room for it.
+    #[inline]
     pub(crate) const fn halved(self) -> Option<Ratio> {
         match self.den <= LIMIT / 2 {
             true => Some(Ratio {
@@ -119,75 +122,59 @@ impl Ratio {
 
     /// `|self| = q * 2^e` with `q` rounded to `bits` bits (1 to 63), ties away from zero.
     /// `(0, 0)` for zero.
+    #[inline(always)]
     pub(crate) fn mantissa(self, bits: u32) -> (u64, i32) {
-        let Some(mut division) = Division::of(self) else {
+        if self.num == 0 {
             return (0, 0);
-        };
-        let q = division.round(bits);
-        let e = division.exponent - bits as i32 + 1;
+        }
+        let exponent = self.exponent() - bits as i32 + 1;
+        let q = self.rounded(-exponent);
         if q >> bits == 0 {
-            (q, e)
+            (q, exponent)
         } else {
-            (q >> 1, e + 1)
+            (q >> 1, exponent + 1)
         }
     }
 
-    /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^63`.
+    /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^62`.
+    #[inline(always)]
     pub(crate) fn shifted(self, shift: u32) -> Option<u64> {
-        let Some(mut division) = Division::of(self) else {
+        if self.num == 0 {
             return Some(0);
-        };
-        match division.exponent + shift as i32 + 1 {
-            bits @ 0..=62 => Some(division.round(bits as u32)),
-            ..0 => Some(0),
+        }
+        match self.exponent() + shift as i32 {
+            0..=61 => Some(self.rounded(shift as i32)),
+            ..-1 => Some(0),
+            -1 => Some(1),
             _ => None,
         }
     }
-}
 
-/// Long division of two magnitudes scaled so that the quotient lies in `[1, 2)`.
-struct Division {
-    rest: u64,
-    den: u64,
-    exponent: i32,
-}
-
-impl Division {
-    /// `None` for zero.
-    fn of(ratio: Ratio) -> Option<Division> {
-        let (num, den) = (ratio.num.unsigned_abs(), ratio.den);
-        if num == 0 {
-            return None;
-        }
+    /// The e with `2^e <= |self| < 2^(e+1)`; `self` is not zero.
+    #[inline(always)]
+    fn exponent(self) -> i32 {
+        let (num, den) = (self.num.unsigned_abs(), self.den);
         let (up, down) = (num.leading_zeros(), den.leading_zeros());
-        let mut division = Division {
-            rest: (num << up) >> 1,
-            den: (den << down) >> 1,
-            exponent: down as i32 - up as i32,
-        };
-        if division.rest < division.den {
-            division.rest <<= 1;
-            division.exponent -= 1;
-        }
-        Some(division)
+        let below = (num << up) < (den << down);
+        down as i32 - up as i32 - below as i32
     }
 
-    /// The next `bits` bits of the quotient, rounded by what is left (ties away).
-    fn round(&mut self, bits: u32) -> u64 {
-        let mut quotient = 0;
-        for _ in 0..bits {
-            quotient <<= 1;
-            if self.rest >= self.den {
-                self.rest -= self.den;
-                quotient |= 1;
-            }
-            self.rest <<= 1;
-        }
-        quotient + (self.rest >= self.den) as u64
+    /// `|self| * 2^shift`, rounded; the result must be below `2^64`.
+    #[inline(always)]
+    fn rounded(self, shift: i32) -> u64 {
+        let (num, den) = (self.num.unsigned_abs() as u128, self.den as u128);
+        let up = shift.max(0) as u32 & 127;
+        let down = (-shift).max(0) as u32 & 127;
+        let Some(den) = NonZero::new(den << down) else {
+            return 0;
+        };
+        let num = num << up;
+        ((num + den.get() / 2) / den) as u64
     }
 }
 
 impl From<i32> for Ratio {
+    #[inline]
     fn from(whole: i32) -> Ratio {
         Ratio {
             num: whole as i64,

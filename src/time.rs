@@ -44,6 +44,7 @@ pub struct Step<S: Scalar> {
 impl<S: Scalar> Step<S> {
     /// A step of `1 / rate`, rate in steps per second. Refuses zero and negative rates, rates up
     /// to 4 Hz (longer steps: [`DyadicStep`]) and those whose length would become zero.
+    #[inline]
     pub fn hz(rate: impl Into<Ratio>) -> Result<Step<S>, Error> {
         let (field, value) = ("rate", rate.into());
         let seconds = value.inverse().ok_or(Error::NotPositive { field, value })?;
@@ -51,6 +52,7 @@ impl<S: Scalar> Step<S> {
     }
 
     /// A step of `seconds`. Refuses what [`hz`](Step::hz) refuses.
+    #[inline]
     pub fn seconds(seconds: impl Into<Ratio>) -> Result<Step<S>, Error> {
         let (field, value) = ("seconds", seconds.into());
         if value.num() <= 0 {
@@ -59,6 +61,7 @@ impl<S: Scalar> Step<S> {
         Self::of_length(value, field, value)
     }
 
+    #[inline(always)]
     fn of_length(seconds: Ratio, field: &'static str, value: Ratio) -> Result<Step<S>, Error> {
         let error = Error::OutOfRange { field, value };
         if seconds.num() as u64 > seconds.den() / 4 {
@@ -127,6 +130,7 @@ impl<S: Scalar, const NUM: u32, const SHIFT: u32> DyadicStep<S, NUM, SHIFT> {
     };
 
     /// The step. Refused only by a scalar whose coefficients cannot hold its length.
+    #[inline]
     pub fn new() -> Result<Self, Error> {
         let (field, value) = ("seconds", Self::SECONDS);
         let coef = S::Coef::new(value).ok_or(Error::OutOfRange { field, value })?;

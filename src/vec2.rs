@@ -25,6 +25,7 @@ pub struct Vec2<S> {
 /// assert!(vec2::<I16F16>(40_000, 0).is_err());
 /// # Ok::<(), fixstep::Error>(())
 /// ```
+#[inline]
 pub fn vec2<S: Scalar>(x: impl Into<Ratio>, y: impl Into<Ratio>) -> Result<Vec2<S>, Error> {
     let component = |field, value| S::ratio(value).ok_or(Error::OutOfRange { field, value });
     Ok(Vec2 {

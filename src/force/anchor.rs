@@ -24,6 +24,7 @@ pub struct Anchor<S: Scalar> {
 impl<S: Scalar> Anchor<S> {
     /// Ties `body` to `point` (m) with `stiffness` (N/m) and `damping` (kg/s), neither negative.
     /// Refuses values that the scalar's coefficients cannot hold.
+    #[inline]
     pub fn new(
         body: BodyId,
         point: Vec2<S>,

@@ -26,6 +26,7 @@ pub struct LinearDrag<S: Scalar> {
 
 impl<S: Scalar> LinearDrag<S> {
     /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
+    #[inline]
     pub fn new(drag: impl Into<Ratio>) -> Result<LinearDrag<S>, Error> {
         let drag = coefficient::<S>("drag", drag.into())?;
         Ok(LinearDrag {

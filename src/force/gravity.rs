@@ -29,6 +29,7 @@ pub struct Gravity<S: Scalar> {
 
 impl<S: Scalar> Gravity<S> {
     /// `acceleration` in m/s².
+    #[inline]
     pub fn new(acceleration: Vec2<S>) -> Gravity<S> {
         Gravity {
             acceleration,
@@ -76,6 +77,7 @@ pub struct GravityY<S: Scalar> {
 
 impl<S: Scalar> GravityY<S> {
     /// `acceleration` in m/s², negative where y points up. Refuses a value outside the range.
+    #[inline]
     pub fn new(acceleration: impl Into<Ratio>) -> Result<GravityY<S>, Error> {
         let (field, value) = ("acceleration", acceleration.into());
         let acceleration = S::ratio(value).ok_or(Error::OutOfRange { field, value })?;

@@ -225,6 +225,7 @@ tuple!(F1 F2 F3 F4 F5);
 tuple!(F1 F2 F3 F4 F5 F6);
 
 /// A coefficient that must not be negative nor be lost to rounding.
+#[inline(always)]
 fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
     if value.num() < 0 {
         return Err(Error::Negative { field, value });

@@ -32,6 +32,7 @@ pub struct Spring<S: Scalar> {
 impl<S: Scalar> Spring<S> {
     /// Ties two bodies with `rest_length` (m), `stiffness` (N/m) and `damping` (kg/s), none
     /// negative. Refuses values that the scalar or its coefficients cannot hold.
+    #[inline]
     pub fn new(
         bodies: [BodyId; 2],
         rest_length: impl Into<Ratio>,

@@ -61,6 +61,7 @@ impl<R: Raw> Gain<R> {
 impl<R: Raw> Coef<R> {
     const MAX_SHIFT: u32 = 2 * R::BITS - 2;
 
+    #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Coef<R>> {
         let (mantissa, exponent) = ratio.mantissa(R::BITS - 1);
         let shift = match mantissa {
@@ -123,6 +124,7 @@ impl<R: Raw> Coef<R> {
 
 impl<R: Raw> Span<R> {
     /// The nearest odd mantissa, from one bit more than it has.
+    #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Span<R>> {
         let (finer, exponent) = ratio.mantissa(R::BITS.min(63));
         let mantissa = R::signed((finer >> 2 << 1) | 1, ratio.num() < 0);
@@ -145,6 +147,7 @@ impl<R: Raw> InvMass<R> {
     /// Where the mantissa's point lies for `e = 0`: a mass of 1 kg has `e = 10`.
     const BASE: u32 = R::BITS - 12;
 
+    #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<InvMass<R>> {
         let (mantissa, exponent) = ratio.mantissa(R::BITS - 6);
         let shift = u32::try_from(5 - exponent).ok()?.checked_sub(Self::BASE)?;

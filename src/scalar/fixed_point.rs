@@ -14,6 +14,7 @@ use crate::ratio::Ratio;
 macro_rules! factor {
     ($fixed:ident<$bound:ident>, $factor:ty) => {
         impl<F: $bound> Factor<$fixed<F>> for $factor {
+            #[inline(always)]
             fn new(ratio: Ratio) -> Option<Self> {
                 <$factor>::new(ratio)
             }
@@ -49,6 +50,7 @@ macro_rules! fixed_scalar {
             };
             const MAX: Self = $fixed::MAX;
 
+            #[inline(always)]
             fn ratio(ratio: Ratio) -> Option<Self> {
                 let magnitude = $raw::try_from(ratio.shifted(F::U32)?).ok()?;
                 Some($fixed::from_bits(if ratio.num() < 0 {

@@ -9,7 +9,7 @@ use crate::ratio::Ratio;
 macro_rules! float_scalar {
     ($float:ident, $bits:ident, $mantissa:literal, $sqrt:path) => {
         impl Factor<$float> for $float {
-            #[inline]
+            #[inline(always)]
             fn new(ratio: Ratio) -> Option<$float> {
                 <$float>::ratio(ratio)
             }
@@ -36,6 +36,7 @@ macro_rules! float_scalar {
             const MAX: $float = $float::MAX;
 
             // Always normal: a ratio lies between 2^-62 and 2^62.
+            #[inline(always)]
             fn ratio(ratio: Ratio) -> Option<$float> {
                 const FRACTION: u32 = $mantissa - 1;
                 let (mantissa, exponent) = ratio.mantissa($mantissa);

@@ -6,12 +6,12 @@ use fixstep::{Error, GravityY, Method, Point, Scalar, TimeStep, World, dec, vec2
 pub const POINTS: usize = 32;
 
 /// Thirty-two points of 1 kg, each with another height and sideways speed.
-pub fn build<S: Scalar>() -> Result<World<Point<S>, POINTS>, Error> {
-    let mut world = World::new();
+pub fn build<S: Scalar>(world: &mut World<Point<S>, POINTS>) -> Result<(), Error> {
+    world.clear();
     for i in 0..POINTS as i32 {
         let _ = world.add(Point::new(vec2(i - 16, 60 + i)?, vec2(16 - i, 0)?, 1)?);
     }
-    Ok(world)
+    Ok(())
 }
 
 /// Gravity along one axis.

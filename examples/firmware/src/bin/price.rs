@@ -6,7 +6,7 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{DyadicStep, Error, Method, Point, Scalar, SemiImplicitEuler, Step, TimeStep, Verlet};
+use fixstep::{DyadicStep, Error, Method, Point, Scalar, SemiImplicitEuler, Step, TimeStep, Verlet, World};
 use fixstep_firmware::scene::{self, POINTS};
 use fixstep_firmware::{count, print};
 
@@ -19,7 +19,8 @@ where
     M: Method<Point<S>, POINTS> + Copy,
     H: TimeStep<S>,
 {
-    let mut world = scene::build::<S>()?;
+    let mut world = World::new();
+    scene::build::<S>(&mut world)?;
     let mut gravity = scene::gravity::<S>()?;
     let step = black_box(step?);
     scene::run(black_box(&mut world), method, &step, &mut gravity, STEPS);
