@@ -101,7 +101,7 @@ impl<S: Scalar> Point<S> {
 /// A finite number less itself is zero; infinity and NaN give NaN.
 #[inline]
 fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
-    if v - v == Vec2::ZERO {
+    if v.map(|s| s.minus(s)) == Vec2::ZERO {
         Ok(())
     } else {
         Err(Error::NotFinite { field })

@@ -28,14 +28,14 @@ use crate::time::TimeStep;
 pub struct World<B, const N: usize> {
     tick: u64,
     next: Option<BodyId>,
-    ids: heapless::Vec<BodyId, N, u16>,
-    bodies: heapless::Vec<B, N, u16>,
+    // Lengths of 32 bits, so that a world has one size on every target.
+    ids: heapless::Vec<BodyId, N, u32>,
+    bodies: heapless::Vec<B, N, u32>,
 }
 
 impl<B, const N: usize> World<B, N> {
     /// An empty world at tick 0.
     pub const fn new() -> Self {
-        const { assert!(N < 1 << 16, "a world holds up to 65535 bodies") };
         World {
             tick: 0,
             next: Some(BodyId::FIRST),

@@ -10,7 +10,7 @@
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
-use super::{Method, drift_half, each};
+use super::{Method, copy, drift_half, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -50,8 +50,7 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
-            self.seen.clear();
-            self.seen.extend(bodies.iter().copied().take(N));
+            copy(bodies, &mut self.seen);
         }
         each(bodies, |body| {
             let seen = *body;

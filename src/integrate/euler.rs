@@ -10,7 +10,7 @@
 //! Free fall comes out `g T h / 2` short along g. For teaching, and as the worst line of a chart.
 //! Source: Hecker, "Physics, The Next Frontier" (1996).
 
-use super::{Method, each};
+use super::{Method, copy, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
@@ -50,8 +50,7 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
-            self.seen.clear();
-            self.seen.extend(bodies.iter().copied().take(N));
+            copy(bodies, &mut self.seen);
         }
         each(bodies, |body| {
             let seen = *body;

@@ -66,6 +66,15 @@ pub fn drift_half<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
     each(bodies, |body| body.drift_half(step));
 }
 
+/// Fills `seen` with the bodies, which it has room for.
+#[inline]
+fn copy<B: Body, const N: usize>(bodies: &[B], seen: &mut heapless::Vec<B, N>) {
+    seen.clear();
+    for &body in bodies {
+        let _ = seen.push(body);
+    }
+}
+
 /// `f` on every body. Counts bodies, not addresses: from a loop over addresses the compiler
 /// divides by the size of a body before it unrolls, 150 instructions on a core that cannot divide.
 #[inline(always)]

@@ -18,6 +18,21 @@ pub fn now() -> u32 {
     (board::ticks() as u64 * board::NANOSECONDS_2 / (2 * INSTRUCTION)) as u32
 }
 
+/// Counts `rounds` rounds of a loop of two instructions.
+#[inline(never)]
+pub fn loop_of(rounds: u32) -> u32 {
+    let start = now();
+    unsafe {
+        core::arch::asm!(
+            "adds {0}, #1",
+            "2: subs {0}, #1",
+            "bne 2b",
+            inout(reg) rounds => _,
+        );
+    }
+    now() - start
+}
+
 /// Nordic TIMER0 of the `microbit`: 16 MHz, counts up, read by capturing.
 #[cfg(not(target_has_atomic = "32"))]
 mod board {
@@ -44,8 +59,11 @@ mod board {
 mod board {
     pub const NANOSECONDS_2: u64 = 80;
     /// RELOAD, VALUE, CTRL enable.
-    pub const START: &[(usize, u32)] =
-        &[(0x4000_0008, u32::MAX), (0x4000_0004, u32::MAX), (0x4000_0000, 1)];
+    pub const START: &[(usize, u32)] = &[
+        (0x4000_0008, u32::MAX),
+        (0x4000_0004, u32::MAX),
+        (0x4000_0000, 1),
+    ];
 
     pub fn ticks() -> u32 {
         u32::MAX - unsafe { core::ptr::read_volatile(0x4000_0004 as *const u32) }

@@ -1,7 +1,9 @@
 //! What the images share: the board's counter, a printer, and a panic handler that cannot link.
 #![no_std]
 
+pub mod carry;
 pub mod count;
+pub mod every_verb;
 pub mod print;
 pub mod scene;
 

@@ -15,7 +15,11 @@ pub fn number(mut value: u64, base: u64) {
     let mut used = 0;
     for digit in digits.iter_mut().rev() {
         let low = (value % base.max(2)) as u8;
-        *digit = if low < 10 { b'0' + low } else { b'a' + low - 10 };
+        *digit = if low < 10 {
+            b'0' + low
+        } else {
+            b'a' + low - 10
+        };
         value /= base.max(2);
         used += 1;
         if value == 0 {
@@ -25,6 +29,20 @@ pub fn number(mut value: u64, base: u64) {
     for digit in digits.iter().skip(20 - used) {
         text(core::str::from_utf8(core::slice::from_ref(digit)).unwrap_or("?"));
     }
+}
+
+/// Prints a number of tenths with its point.
+pub fn tenths(value: u64) {
+    number(value / 10, 10);
+    text(".");
+    number(value % 10, 10);
+}
+
+/// Ends the emulation as failed.
+pub fn fail(why: &str) -> ! {
+    text(why);
+    debug::exit(debug::EXIT_FAILURE);
+    loop {}
 }
 
 /// Ends the emulation.

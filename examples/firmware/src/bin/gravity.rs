@@ -6,14 +6,20 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use fixstep::fixed::types::I16F16;
-use fixstep::{DyadicStep, Error, SemiImplicitEuler, World};
+use fixstep::{DyadicStep, Error, Point, SemiImplicitEuler, World};
 use fixstep_firmware::{print, scene};
 
 fn fall() -> Result<(), Error> {
-    let mut world = World::new();
-    scene::build::<I16F16>(&mut world)?;
+    let mut world = World::<Point<I16F16>, _>::new();
+    scene::build(&mut world)?;
     let step = DyadicStep::<I16F16, 1, 6>::new()?;
-    scene::run(&mut world, SemiImplicitEuler, &step, &mut scene::gravity()?, 600);
+    scene::run(
+        &mut world,
+        &mut SemiImplicitEuler,
+        &step,
+        &mut scene::gravity()?,
+        600,
+    );
     black_box(&world);
     Ok(())
 }

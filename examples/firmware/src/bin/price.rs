@@ -1,4 +1,4 @@
-//! Instructions per body-step of the gravity scene, by number type, step and method.
+//! Instructions per body-step of the gravity scene, by body, step and method; tab-separated.
 #![no_std]
 #![no_main]
 
@@ -6,55 +6,111 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{DyadicStep, Error, Method, Point, Scalar, SemiImplicitEuler, Step, TimeStep, Verlet, World};
+use fixstep::{
+    Body, DyadicStep, Error, Method, Point, SemiImplicitEuler, Step, TimeStep, Verlet, World,
+};
+use fixstep_firmware::carry::{Carried, Compensated};
 use fixstep_firmware::scene::{self, POINTS};
 use fixstep_firmware::{count, print};
 
 /// Steps that are counted, after as many that are not.
-const STEPS: u32 = 64;
+const STEPS: u32 = 300;
 
-fn row<S, M, H>(name: &str, method: M, step: Result<H, Error>) -> Result<(), Error>
+fn row<B, M, H>(name: &str, mut method: M, step: Result<H, Error>) -> Result<(), Error>
 where
-    S: Scalar,
-    M: Method<Point<S>, POINTS> + Copy,
-    H: TimeStep<S>,
+    B: Body + From<Point<B::S>>,
+    M: Method<B, POINTS>,
+    H: TimeStep<B::S>,
 {
-    let mut world = World::new();
-    scene::build::<S>(&mut world)?;
-    let mut gravity = scene::gravity::<S>()?;
+    let mut world = World::<B, POINTS>::new();
+    scene::build(&mut world)?;
+    let mut gravity = scene::gravity()?;
     let step = black_box(step?);
-    scene::run(black_box(&mut world), method, &step, &mut gravity, STEPS);
+    scene::run(
+        black_box(&mut world),
+        &mut method,
+        &step,
+        &mut gravity,
+        STEPS,
+    );
     let start = count::now();
-    scene::run(black_box(&mut world), method, &step, &mut gravity, STEPS);
+    scene::run(
+        black_box(&mut world),
+        &mut method,
+        &step,
+        &mut gravity,
+        STEPS,
+    );
     let counted = count::now() - start;
     print::text(name);
     print::text("\t");
-    let hundredths = counted as u64 * 100 / (STEPS as u64 * POINTS as u64);
-    print::number(hundredths / 100, 10);
-    print::text(".");
-    print::number(hundredths / 10 % 10, 10);
-    print::number(hundredths % 10, 10);
+    print::tenths(counted as u64 * 10 / (STEPS as u64 * POINTS as u64));
     print::text("\t");
     print::number(world.state_hash(), 16);
     print::text("\n");
     Ok(())
 }
 
+/// What a loop of known length counts: `2 n + 5` instructions for n rounds.
+fn calibration() {
+    for rounds in [0, 1_000, 100_000] {
+        print::text("calibration\t");
+        print::number(rounds as u64, 10);
+        print::text("\t");
+        print::number(count::loop_of(rounds) as u64, 10);
+        print::text("\n");
+    }
+}
+
 fn rows() -> Result<(), Error> {
-    row::<I16F16, _, _>("I16F16 1/60 SemiImplicitEuler", SemiImplicitEuler, Step::hz(60))?;
-    row::<I8F24, _, _>("I8F24 1/60 SemiImplicitEuler", SemiImplicitEuler, Step::hz(60))?;
-    row::<I16F16, _, _>("I16F16 1/64 SemiImplicitEuler", SemiImplicitEuler, DyadicStep::<_, 1, 6>::new())?;
-    row::<f32, _, _>("f32 1/60 SemiImplicitEuler", SemiImplicitEuler, Step::hz(60))?;
-    row::<I16F16, _, _>("I16F16 1/60 Verlet", Verlet, Step::hz(60))?;
-    row::<I16F16, _, _>("I16F16 1/64 Verlet", Verlet, DyadicStep::<_, 1, 6>::new())?;
-    row::<f32, _, _>("f32 1/60 Verlet", Verlet, Step::hz(60))
+    type Frame<S> = DyadicStep<S, 4389, 18>;
+    type Dyadic<S> = DyadicStep<S, 1, 6>;
+    row::<Point<I16F16>, _, _>(
+        "I16F16\t1/60\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Step::hz(60),
+    )?;
+    row::<Point<I8F24>, _, _>(
+        "I8F24\t1/60\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Step::hz(60),
+    )?;
+    row::<Point<I16F16>, _, _>(
+        "I16F16\t1/64\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Dyadic::new(),
+    )?;
+    row::<Point<I16F16>, _, _>(
+        "I16F16\t4389/2^18\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Frame::new(),
+    )?;
+    row::<Carried, _, _>(
+        "I16F16 carried\t1/60\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Step::hz(60),
+    )?;
+    row::<Point<f32>, _, _>(
+        "f32\t1/60\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Step::hz(60),
+    )?;
+    row::<Compensated, _, _>(
+        "f32 compensated\t1/60\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Step::hz(60),
+    )?;
+    row::<Point<I16F16>, _, _>("I16F16\t1/60\tVerlet", Verlet, Step::hz(60))?;
+    row::<Point<I16F16>, _, _>("I16F16\t1/64\tVerlet", Verlet, Dyadic::new())?;
+    row::<Point<f32>, _, _>("f32\t1/60\tVerlet", Verlet, Step::hz(60))
 }
 
 #[entry]
 fn main() -> ! {
     count::start();
-    if rows().is_err() {
-        print::text("error\n");
+    calibration();
+    match rows() {
+        Ok(()) => print::exit(),
+        Err(_) => print::fail("a constructor refused a value\n"),
     }
-    print::exit()
 }
