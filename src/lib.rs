@@ -1,5 +1,28 @@
-//! Moves 2D bodies under forces at a fixed timestep: no heap, no panics, in `f32` or in fixed
-//! point from one source.
+//! Moves 2D bodies under forces at a fixed timestep: no heap, no panic, no hidden cost, in `f32` or
+//! in fixed point from one source.
+//!
+//! ```text
+//! scene -> forces -> kick (v) -> drift (x) -> read-out          once per step
+//! ```
+//!
+//! * [`World`] holds the bodies; [`Point`] is the compact one, 20 bytes in any 32-bit scalar.
+//! * A [`Force`](force) says what it does to a body; a tuple of forces is a force.
+//! * A [method](integrate) says when. [`Verlet`] is the one to start with.
+//! * [`Step`] or [`DyadicStep`] is the timestep. Time is a count of ticks.
+//! * [`Scalar`](scalar) is the law that every number type keeps: total, odd, nearest, same bits.
+//!
+//! Units are SI as far as the crate is concerned (m, s, kg); a scene may read them as pixels and
+//! frames. The axes are the scene's too; the examples have x to the right and y up.
+//!
+//! | rung | what a scene adds | where |
+//! |---|---|---|
+//! | 1 | points with mass, forces, a method | root files, [`force`], [`integrate`] |
+//!
+//! Rotation, contacts and joints are further rungs, not built yet. A scene pays flash, memory and
+//! instructions only for what it names.
+//!
+//! It starts from Chris Hecker's "Physics, The Next Frontier" (Game Developer, 1996), whose
+//! equations its methods and forces name.
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -31,3 +54,8 @@ pub use scalar::Scalar;
 pub use time::{DyadicStep, Step, Time, TimeStep};
 pub use vec2::{Vec2, vec2};
 pub use world::World;
+
+/// The scene of the README is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
