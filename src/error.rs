@@ -22,7 +22,7 @@ pub enum Error {
         /// Its value.
         value: Ratio,
     },
-    /// The value does not fit the number type that has to hold it.
+    /// The value is outside what the field, or the number type that has to hold it, can take.
     OutOfRange {
         /// Name of the argument.
         field: &'static str,
@@ -36,7 +36,7 @@ pub enum Error {
         /// Its value.
         value: Ratio,
     },
-    /// NaN or infinite.
+    /// NaN, infinite, or too large for any number type.
     NotFinite {
         /// Name of the argument.
         field: &'static str,
@@ -58,12 +58,12 @@ impl fmt::Display for Error {
                 write!(f, "{field} must not be negative, not {value}")
             }
             Error::OutOfRange { field, value } => {
-                write!(f, "{field} {value} is outside the range of the number type")
+                write!(f, "{field} {value} is out of range")
             }
             Error::RoundsToZero { field, value } => {
                 write!(f, "{field} {value} is too small: it would become zero")
             }
-            Error::NotFinite { field } => write!(f, "{field} is NaN or infinite"),
+            Error::NotFinite { field } => write!(f, "{field} is NaN, infinite or too large"),
             Error::NotANumber { field } => write!(f, "{field} is not a number"),
         }
     }

@@ -16,7 +16,7 @@ use crate::error::Error;
 /// assert_eq!(dec!(-9.81), Ratio::new(-981, 100).unwrap());
 /// assert!(Ratio::new(1, 0).is_err());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Ratio {
     num: i64,
     den: u64,
@@ -28,6 +28,13 @@ const LIMIT: u64 = 1 << 62;
 impl Ratio {
     /// Zero.
     pub const ZERO: Ratio = Ratio { num: 0, den: 1 };
+
+    /// The ratio nearest to `num / den`; `None` where it is too large or has no denominator.
+    pub(crate) fn nearest(num: u128, den: u128) -> Option<Ratio> {
+        let excess = 66_u32.saturating_sub((num | den).leading_zeros());
+        let (num, den) = (num >> excess, den >> excess);
+        Ratio::new(num as i64, den as u64).ok()
+    }
 
     /// `num / den`. Refuses `den == 0` and magnitudes above `2^62`.
     pub const fn new(num: i64, den: u64) -> Result<Ratio, Error> {
@@ -82,7 +89,8 @@ impl Ratio {
             match bytes[i] {
                 b'-' if digits == 0 && !minus && !point => minus = true,
                 b'.' if !point => point = true,
-                b'_' | b' ' => {}
+                b'_' if digits > 0 => {}
+                b' ' if digits == 0 && !point => {}
                 b @ b'0'..=b'9' if digits < 18 => {
                     num = num * 10 + (b - b'0') as i64;
                     digits += 1;
@@ -136,14 +144,24 @@ impl Ratio {
         }
     }
 
-    /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^62`.
+    /// The same with the odd `q` that is nearest.
+    #[inline(always)]
+    pub(crate) fn odd_mantissa(self, bits: u32) -> (u64, i32) {
+        if self.num == 0 {
+            return (0, 0);
+        }
+        let exponent = self.exponent() - bits as i32 + 1;
+        (self.floored(-exponent) as u64 | 1, exponent)
+    }
+
+    /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^63`.
     #[inline(always)]
     pub(crate) fn shifted(self, shift: u32) -> Option<u64> {
         if self.num == 0 {
             return Some(0);
         }
         match self.exponent() + shift as i32 {
-            0..=61 => Some(self.rounded(shift as i32)),
+            0..=62 => Some(self.rounded(shift as i32)),
             ..-1 => Some(0),
             -1 => Some(1),
             _ => None,
@@ -159,19 +177,29 @@ impl Ratio {
         down as i32 - up as i32 - below as i32
     }
 
-    /// `|self| * 2^shift`, rounded; the result must be below `2^64`.
+    /// `|self| * 2^shift` to the nearest integer, ties away; the result must be below `2^63`.
     #[inline(always)]
     fn rounded(self, shift: i32) -> u64 {
-        let (num, den) = (self.num.unsigned_abs() as u128, self.den as u128);
-        let up = shift.max(0) as u32 & 127;
-        let down = (-shift).max(0) as u32 & 127;
-        let Some(den) = NonZero::new(den << down) else {
-            return 0;
-        };
-        let num = num << up;
-        ((num + den.get() / 2) / den) as u64
+        ((self.floored(shift + 1) + 1) >> 1) as u64
+    }
+
+    /// The whole part of `|self| * 2^shift`, which must be below `2^64`.
+    #[inline(always)]
+    fn floored(self, shift: i32) -> u128 {
+        let num = (self.num.unsigned_abs() as u128) << (shift.max(0) as u32 & 127);
+        let den = (self.den as u128) << ((-shift).max(0) as u32 & 127);
+        NonZero::new(den).map_or(0, |den| num / den)
     }
 }
+
+/// Equal values are equal, however they are written.
+impl PartialEq for Ratio {
+    fn eq(&self, other: &Ratio) -> bool {
+        self.num as i128 * other.den as i128 == other.num as i128 * self.den as i128
+    }
+}
+
+impl Eq for Ratio {}
 
 impl From<i32> for Ratio {
     #[inline]

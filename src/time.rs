@@ -64,7 +64,7 @@ impl<S: Scalar> Step<S> {
     #[inline(always)]
     fn of_length(seconds: Ratio, field: &'static str, value: Ratio) -> Result<Step<S>, Error> {
         let error = Error::OutOfRange { field, value };
-        if seconds.num() as u64 > seconds.den() / 4 {
+        if seconds.num() as u128 * 4 >= seconds.den() as u128 {
             return Err(error);
         }
         let halved = seconds.halved().ok_or(error)?;
@@ -173,7 +173,11 @@ impl Time {
     /// Made by long division: a few hundred instructions. A force that oscillates for long does
     /// better to reduce [`half_ticks`](Time::half_ticks) by its period in integers.
     pub fn seconds<S: Scalar>(self) -> S {
-        self.elapsed().and_then(S::ratio).unwrap_or(S::MAX)
+        let num = self.half_ticks as u128 * self.seconds.num() as u128;
+        let den = self.seconds.den() as u128 * 2;
+        Ratio::nearest(num, den)
+            .and_then(S::ratio)
+            .unwrap_or(S::MAX)
     }
 
     /// Half steps since the start; even at the start of a step, odd in its middle.

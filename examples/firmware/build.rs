@@ -4,7 +4,9 @@ use std::{env, fs, path::PathBuf};
 fn main() {
     let target = env::var("TARGET").unwrap();
     let memory = match target.as_str() {
-        "thumbv6m-none-eabi" => "FLASH : ORIGIN = 0x00000000, LENGTH = 256K\nRAM : ORIGIN = 0x20000000, LENGTH = 16K",
+        "thumbv6m-none-eabi" => {
+            "FLASH : ORIGIN = 0x00000000, LENGTH = 256K\nRAM : ORIGIN = 0x20000000, LENGTH = 16K"
+        }
         _ => "FLASH : ORIGIN = 0x00000000, LENGTH = 4M\nRAM : ORIGIN = 0x20000000, LENGTH = 4M",
     };
     let out = PathBuf::from(env::var("OUT_DIR").unwrap());

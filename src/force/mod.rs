@@ -13,7 +13,9 @@
 //! A tuple of forces is a force, and so is an array of them. What is not named is not linked.
 //!
 //! [`field`](Force::field) forces need only the body itself: they run inside the loop that moves
-//! it. [`couple`](Force::couple) forces see all bodies and run before that loop.
+//! it. [`couple`](Force::couple) forces see all bodies and run before that loop. Under the splitting
+//! methods a force reads velocities that coupled forces before it have changed: drag brakes what a
+//! spring has just pushed, so a body that hangs in both rests about `k_drag h / m` of its sag lower.
 
 mod all_bodies;
 mod anchor;

@@ -123,13 +123,12 @@ impl<R: Raw> Coef<R> {
 }
 
 impl<R: Raw> Span<R> {
-    /// The nearest odd mantissa, from one bit more than it has.
     #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Span<R>> {
-        let (finer, exponent) = ratio.mantissa(R::BITS.min(63));
-        let mantissa = R::signed((finer >> 2 << 1) | 1, ratio.num() < 0);
-        let shift = u32::try_from(-1 - exponent).ok()?.checked_sub(R::BITS)?;
-        (finer != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
+        let (magnitude, exponent) = ratio.odd_mantissa(R::BITS - 1);
+        let mantissa = R::signed(magnitude, ratio.num() < 0);
+        let shift = u32::try_from(-exponent).ok()?.checked_sub(R::BITS)?;
+        (magnitude != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
     }
 
     #[inline]

@@ -66,7 +66,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// The largest value.
     const MAX: Self;
 
-    /// The value nearest to `ratio`, `None` outside the range.
+    /// The value nearest to `ratio`, `None` outside `-MAX..=MAX`.
     fn ratio(ratio: Ratio) -> Option<Self>;
 
     /// `self + other`, saturating.
@@ -101,7 +101,8 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// `sum / self`: nearest, odd, saturating; zero where `self` is not greater than zero.
     fn under(self, sum: Self::Sum) -> Self;
 
-    /// `sqrt(v.x² + v.y²)`, nearest, saturating; squares are formed in the wide type.
+    /// `sqrt(v.x² + v.y²)`. Fixed point forms the squares in the wide type: nearest, saturating.
+    /// Floats form them in their own: infinite from about 1e19 in `f32`.
     fn length(v: [Self; 2]) -> Self;
 
     /// The product of two coefficients, saturating.

@@ -49,7 +49,7 @@ pub trait Raw: Copy + Debug + PartialEq + 'static {
     fn half_up(self, shift: u32) -> Self;
 
     /// `wide / 2^shift` as a whole part towards zero, a unit of its sign, and 32 bits of fraction;
-    /// `1 <= shift <= 2 BITS - 2`.
+    /// `1 <= shift <= 2 BITS - 2`. The whole part leaves room for the unit.
     fn split(wide: Self::Wide, shift: u32) -> (Self, Self, u32);
 
     /// A product of two mantissas as a mantissa: the value, and the shift that led there.
@@ -167,7 +167,8 @@ macro_rules! raw {
                     32.. => magnitude >> (shift - 32 & MASK),
                     _ => magnitude << (32 - shift & MASK),
                 };
-                let whole = (magnitude >> (shift & MASK)).min($raw::MAX as $unsigned_wide) as $raw;
+                const LIMIT: $unsigned_wide = $raw::MAX as $unsigned_wide - 1;
+                let whole = (magnitude >> (shift & MASK)).min(LIMIT) as $raw;
                 let (whole, unit) = if wide < 0 { (-whole, -1) } else { (whole, 1) };
                 (whole, unit, fraction as u32)
             }
