@@ -16,12 +16,8 @@ use integer::Integers;
 use laws::{Factors, corners, pairs, ratios, values};
 use proptest::prelude::*;
 
-/// A debug build is five times as slow.
-const PAIRS: u64 = if cfg!(debug_assertions) {
-    200_000
-} else {
-    1_000_000
-};
+/// Random pairs for each number type.
+const PAIRS: u64 = 1_000_000;
 
 macro_rules! laws_of {
     ($($name:ident: $scalar:ty, $judge:ty;)*) => {$(

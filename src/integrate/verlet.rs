@@ -10,7 +10,8 @@
 //! A force that depends on v makes it order 1: the kick sees the old velocity.
 //! Why this order of the three: kick-drift-kick needs two force calls, or keeps accelerations that
 //! go stale when a body is teleported or added; half-step velocities are not the velocities a scene
-//! reads. Drift-kick-drift has neither fault; its price is a second product per axis.
+//! reads. Drift-kick-drift has neither fault. Its price is a second product per axis, and a second
+//! rounding of x: a steady cruise drifts up to twice as far as under semi-implicit Euler.
 //! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", I.1.4.
 
 use super::{Method, drift_half, each};
