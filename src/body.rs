@@ -39,6 +39,16 @@ pub trait Body: Copy + 'static {
     /// `x += h/2 v`.
     fn drift_half(&mut self, step: &impl TimeStep<Self::S>);
 
+    /// Hands the exact bits of its state to `write`, for a hash. A body that holds more than
+    /// position and velocity adds it.
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        let (position, velocity) = (self.position().array(), self.velocity().array());
+        position
+            .into_iter()
+            .chain(velocity)
+            .for_each(|scalar| write(scalar.bits()));
+    }
+
     /// Whether every part of its state is away from the ends of the range and finite.
     fn is_inside(&self) -> bool {
         self.position().is_inside() && self.velocity().is_inside()

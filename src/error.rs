@@ -41,7 +41,7 @@ pub enum Error {
         /// Name of the argument.
         field: &'static str,
     },
-    /// A fraction with denominator zero, or a decimal that cannot be read.
+    /// A fraction with denominator zero or more than 62 bits, or a decimal that cannot be read.
     NotANumber {
         /// Name of the argument.
         field: &'static str,
@@ -61,10 +61,12 @@ impl fmt::Display for Error {
                 write!(f, "{field} {value} is out of range")
             }
             Error::RoundsToZero { field, value } => {
-                write!(f, "{field} {value} is too small: it would become zero")
+                write!(f, "{field} {value} is too small to be told from zero")
             }
             Error::NotFinite { field } => write!(f, "{field} is NaN, infinite or too large"),
-            Error::NotANumber { field } => write!(f, "{field} is not a number"),
+            Error::NotANumber { field } => {
+                write!(f, "{field} is not a number, or has too many digits")
+            }
         }
     }
 }

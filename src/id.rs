@@ -3,6 +3,9 @@
 //! Bodies lie densely, in the order in which they were added, so their serial numbers rise and a
 //! search by halving finds one. A stale id finds nothing, however often its place was used again:
 //! there is no generation counter that could come round. After `2^32` additions a world is full.
+//!
+//! That holds within one history of one world. A clone that is put back gives the serial numbers
+//! since then a second time, and the ids of another world look the same.
 
 /// Names one body of one world, for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -43,15 +43,16 @@ pub mod measure;
 pub mod world;
 
 pub use fixed;
+pub use heapless;
 
 pub use body::{Body, Point};
 pub use error::{Error, Full};
-pub use force::{AllBodies, Anchor, Force, Gravity, GravityY, LinearDrag, PerBody, Spring};
+pub use force::{AllBodies, Anchor, Force, Frame, Gravity, GravityY, LinearDrag, PerBody, Spring};
 pub use id::BodyId;
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
 pub use ratio::Ratio;
-pub use scalar::Scalar;
-pub use time::{DyadicStep, Step, Time, TimeStep};
+pub use scalar::{Factor, Scalar};
+pub use time::{DyadicStep, Now, Step, Time, TimeStep};
 pub use vec2::{Vec2, vec2};
 pub use world::World;
 

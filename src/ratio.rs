@@ -29,7 +29,7 @@ impl Ratio {
     /// Zero.
     pub const ZERO: Ratio = Ratio { num: 0, den: 1 };
 
-    /// The ratio nearest to `num / den`; `None` where it is too large or has no denominator.
+    /// `num / den` to 62 bits; `None` where it is too large or has no denominator.
     pub(crate) fn nearest(num: u128, den: u128) -> Option<Ratio> {
         let excess = 66_u32.saturating_sub((num | den).leading_zeros());
         let (num, den) = (num >> excess, den >> excess);
@@ -54,18 +54,6 @@ impl Ratio {
             num: self.den as i64,
             den: self.num as u64,
         })
-    }
-
-    /// `self / 2`; `None` where the denominator has no room for it.
-    #[inline]
-    pub(crate) const fn halved(self) -> Option<Ratio> {
-        match self.den <= LIMIT / 2 {
-            true => Some(Ratio {
-                num: self.num,
-                den: self.den * 2,
-            }),
-            false => None,
-        }
     }
 
     /// Numerator; carries the sign.
@@ -144,14 +132,14 @@ impl Ratio {
         }
     }
 
-    /// The same with the odd `q` that is nearest.
+    /// The same with `q` rounded down.
     #[inline(always)]
-    pub(crate) fn odd_mantissa(self, bits: u32) -> (u64, i32) {
+    pub(crate) fn floor_mantissa(self, bits: u32) -> (u64, i32) {
         if self.num == 0 {
             return (0, 0);
         }
         let exponent = self.exponent() - bits as i32 + 1;
-        (self.floored(-exponent) as u64 | 1, exponent)
+        (self.floored(-exponent) as u64, exponent)
     }
 
     /// `|self| * 2^shift`, rounded to the nearest integer, ties away; `None` from `2^63`.

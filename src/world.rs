@@ -155,7 +155,10 @@ impl<B: Body, const N: usize> World<B, N> {
         self.tick = self.tick.wrapping_add(1);
     }
 
-    /// The bodies that reached an end of the range, or are NaN or infinite.
+    /// The bodies that stand at an end of the range, or are NaN or infinite, now.
+    ///
+    /// It looks at the state as it is, so look after every step that matters: a saturated spring may
+    /// throw its body back. An impulse saturates too, which shows only in where the body goes.
     pub fn out_of_range(&self) -> impl Iterator<Item = BodyId> {
         self.iter()
             .filter(|(_, body)| !body.is_inside())

@@ -127,18 +127,16 @@ fn swing<S: Format>(scheme: Scheme) -> [f64; 16] {
 }
 /// What may come together in N steps, in m:
 ///
-/// * ties: h v lies half-way for v = 30 modulo 60 units, and the span of h takes all of them along
-///   v or all against it. A sixtieth of the steps, half a unit each, times 2/π for the part that
-///   turns the phase. (Verlet: one in 120 for each of two drifts, the same.)
+/// * ties, where h v lies half-way (v = 30 modulo 60 units): half a unit each, but along v in one
+///   tick and against it in the next, so that they cancel but for chance.
 /// * other roundings: a step is a rotation, so they add up as they are; 1/12 of a unit² for each
 ///   drift and for two products of the kick; six standard deviations.
 /// * coefficients: off by `COEFFICIENT`, times the angle turned, times the amplitude.
 fn swing_bound<S: Format>(scheme: Scheme) -> f64 {
     let (steps, slowest, fastest) = (STEPS as f64, 5.65, 6.92);
     let (x, u) = (S::unit(AMPLITUDE), S::unit(AMPLITUDE * fastest) / slowest);
-    let ties = steps / RATE * 0.5 * std::f64::consts::FRAC_2_PI * x;
     let other = 6.0 * (steps / 12.0 * (scheme.drifts() * x * x + 2.0 * u * u)).sqrt();
-    ties + other + S::COEFFICIENT * fastest * steps / RATE * AMPLITUDE
+    other + S::COEFFICIENT * fastest * steps / RATE * AMPLITUDE
 }
 
 fn check_swing<S: Format>(scheme: Scheme) -> [f64; 16] {
@@ -150,7 +148,9 @@ fn check_swing<S: Format>(scheme: Scheme) -> [f64; 16] {
 
 fn check_swings(scheme: Scheme) {
     let (float, fine) = (check_swing::<f32>(scheme), check_swing::<I8F24>(scheme));
-    check_swing::<I16F16>(scheme);
+    // The best that plain rounding to nearest reached before ties were taken by turns: 5.4 cm.
+    let coarse = check_swing::<I16F16>(scheme);
+    assert!(maximum(&coarse) <= 5.4e-2);
     assert!(10.0 * maximum(&fine) <= maximum(&float));
     assert!(10.0 * median(&fine) <= median(&float));
 }

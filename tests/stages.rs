@@ -66,8 +66,9 @@ impl<B: Body, const M: usize> Method<B, M> for KickThenDrift {
         step: &H,
         tick: u64,
     ) {
-        kick(ids, bodies, forces, &Now::start(step, tick));
-        drift(bodies, step);
+        let now = Now::start(step, tick);
+        kick(ids, bodies, forces, &now);
+        drift(bodies, &now);
     }
 }
 
@@ -82,9 +83,10 @@ impl<B: Body, const M: usize> Method<B, M> for DriftKickDrift {
         step: &H,
         tick: u64,
     ) {
-        drift_half(bodies, step);
-        kick(ids, bodies, forces, &Now::middle(step, tick));
-        drift_half(bodies, step);
+        let now = Now::middle(step, tick);
+        drift_half(bodies, &now);
+        kick(ids, bodies, forces, &now);
+        drift_half(bodies, &now);
     }
 }
 

@@ -110,7 +110,7 @@ fn a_length_with_many_digits_keeps_time_too() {
         Ratio::from_f64(1.0 / 60.0).unwrap(),
         dec!(0.01666666666666667),
     ] {
-        let step = Step::<I16F16>::seconds(seconds).unwrap();
+        let step = Step::<I16F16>::from_seconds(seconds).unwrap();
         for tick in [60, 600, 6_000, 600_000] {
             let seconds = start(&step, tick).seconds::<I16F16>().to_num::<f64>();
             assert!(
@@ -191,7 +191,7 @@ fn dyadic_steps_are_exact() {
     dyadic_is_exact::<1, 29>();
     dyadic_is_exact::<3, 8>();
     dyadic_is_exact::<4389, 18>();
-    dyadic_is_exact::<{ 1 << 30 }, 29>();
+    dyadic_is_exact::<{ 1 << 24 }, 29>();
     dyadic_is_exact::<5, 1>();
 }
 

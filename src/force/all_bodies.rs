@@ -5,6 +5,7 @@
 
 use crate::body::Body;
 use crate::force::{Force, Frame};
+use crate::scalar::Scalar;
 use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
@@ -12,10 +13,13 @@ use crate::vec2::Vec2;
 /// of the body among them; for worlds of up to `N` bodies.
 ///
 /// ```
-/// use fixstep::{AllBodies, Body, Point, Time};
+/// use fixstep::{AllBodies, Body, Point, Time, Vec2};
 /// // Every body is drawn to the first one.
 /// let pull = AllBodies::<_, f32, 16>::new(|_: Time, all: &[Point<f32>], i: usize| {
-///     all[0].position() - all[i].position()
+///     match (all.first(), all.get(i)) {
+///         (Some(first), Some(body)) => first.position() - body.position(),
+///         _ => Vec2::ZERO,
+///     }
 /// });
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -24,9 +28,9 @@ pub struct AllBodies<F, S, const N: usize> {
     forces: [Vec2<S>; N],
 }
 
-impl<F, S: crate::scalar::Scalar, const N: usize> AllBodies<F, S, N> {
+impl<F, S: Scalar, const N: usize> AllBodies<F, S, N> {
     /// Bodies beyond the first `N` feel nothing: choose the capacity of the world.
-    pub fn new(function: F) -> Self {
+    pub const fn new(function: F) -> Self {
         AllBodies {
             function,
             forces: [Vec2::ZERO; N],
@@ -47,7 +51,8 @@ where
             *force = (self.function)(now.time(), bodies, i);
         }
         for (body, force) in frame.live().iter_mut().zip(&self.forces) {
-            body.push(force.map(|f| now.step.of(f)));
+            let per_mass = B::S::product(now.step.coef(), body.inv_mass().into());
+            body.kick(force.scaled(per_mass));
         }
     }
 }

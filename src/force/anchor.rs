@@ -12,7 +12,7 @@ use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws one body to a point and damps its motion. Does nothing once the body is gone.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Anchor<S: Scalar> {
     body: BodyId,
     point: Vec2<S>,
@@ -51,16 +51,17 @@ impl<B: Body> Force<B> for Anchor<B::S> {
         let Some((index, body)) = frame.find(self.body) else {
             return;
         };
-        let (stiffness, damping) = self.per_step.get(now.step, |h| {
+        let (stiffness, damping) = self.per_step.get(&now.step, |h| {
             (
                 B::S::product(self.stiffness, h),
                 B::S::product(self.damping, h),
             )
         });
-        let pull = (self.point - body.position()).scaled(stiffness);
-        let brake = body.velocity().scaled(damping);
+        let inv_mass = body.inv_mass().into();
+        let pull = (self.point - body.position()).scaled(B::S::product(stiffness, inv_mass));
+        let brake = body.velocity().scaled(B::S::product(damping, inv_mass));
         if let Some(live) = frame.live_at(index) {
-            live.push(pull - brake);
+            live.kick(pull - brake);
         }
     }
 

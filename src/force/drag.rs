@@ -17,7 +17,7 @@ use crate::time::{Now, TimeStep};
 /// let drag = LinearDrag::<f32>::new(dec!(0.1))?;
 /// # Ok::<(), fixstep::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct LinearDrag<S: Scalar> {
     drag: S::Coef,
     per_step: PerStep<S, S::Coef>,
@@ -38,13 +38,18 @@ impl<S: Scalar> LinearDrag<S> {
 }
 
 impl<B: Body> Force<B> for LinearDrag<B::S> {
+    const COUPLES: bool = false;
+
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        self.impulse = self.per_step.get(now.step, |h| B::S::product(self.drag, h));
+        self.impulse = self
+            .per_step
+            .get(&now.step, |h| B::S::product(self.drag, h));
     }
 
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, seen: &B, live: &mut B) {
-        live.push(-seen.velocity().scaled(self.impulse));
+        let per_mass = B::S::product(self.impulse, seen.inv_mass().into());
+        live.kick(-seen.velocity().scaled(per_mass));
     }
 }

@@ -20,7 +20,7 @@ use crate::vec2::Vec2;
 /// let gravity = Gravity::new(vec2::<f32>(0, dec!(-9.81))?);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Gravity<S: Scalar> {
     acceleration: Vec2<S>,
     gain: PerStep<S, Vec2<S::Gain>>,
@@ -40,11 +40,13 @@ impl<S: Scalar> Gravity<S> {
 }
 
 impl<B: Body> Force<B> for Gravity<B::S> {
+    const COUPLES: bool = false;
+
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
         let gain = self
             .gain
-            .get(now.step, |h| self.acceleration.map(|g| g.gain(h)));
+            .get(&now.step, |h| self.acceleration.map(|g| g.gain(h)));
         self.share = Vec2 {
             x: B::S::gained(gain.x, now.tick()),
             y: B::S::gained(gain.y, now.tick()),
@@ -68,7 +70,7 @@ impl<B: Body> Force<B> for Gravity<B::S> {
 /// let gravity = GravityY::<I16F16>::new(dec!(-9.81))?;
 /// # Ok::<(), fixstep::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct GravityY<S: Scalar> {
     acceleration: S,
     gain: PerStep<S, S::Gain>,
@@ -90,9 +92,11 @@ impl<S: Scalar> GravityY<S> {
 }
 
 impl<B: Body> Force<B> for GravityY<B::S> {
+    const COUPLES: bool = false;
+
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        let gain = self.gain.get(now.step, |h| self.acceleration.gain(h));
+        let gain = self.gain.get(&now.step, |h| self.acceleration.gain(h));
         self.share = B::S::gained(gain, now.tick());
     }
 

@@ -4,13 +4,18 @@
 //! |---|---|---|
 //! | [`Gravity`] | every body, from itself | one addition an axis |
 //! | [`GravityY`] | every body, from itself | one addition |
-//! | [`LinearDrag`] | every body, from itself | two products an axis |
-//! | [`PerBody`] | every body, from itself | your function, two products an axis |
-//! | [`Anchor`] | one body | three products an axis |
+//! | [`LinearDrag`] | every body, from itself | a product and one more an axis |
+//! | [`PerBody`] | every body, from itself | your function, a product and one more an axis |
+//! | [`Anchor`] | one body | two products and two more an axis |
 //! | [`Spring`] | two bodies | a square root, two or three divisions |
 //! | [`AllBodies`] | every body, from all | your function, 8 bytes a body in the force |
 //!
-//! A tuple of forces is a force, and so is an array of them. What is not named is not linked.
+//! A tuple of forces is a force, and so is an array, a `heapless::Vec` or an `Option` of one. What is
+//! not named is not linked.
+//!
+//! A force on one body multiplies by `h / m` at once and rounds the change of velocity. The impulse
+//! between two bodies is a scalar itself, in kg m/s: with masses far from 1 kg its unit is coarse for
+//! the light body and its range short for the heavy one.
 //!
 //! [`field`](Force::field) forces need only the body itself: they run inside the loop that moves
 //! it. [`couple`](Force::couple) forces see all bodies and run before that loop. Under the splitting
@@ -96,8 +101,8 @@ impl<'a, B: Body> Frame<'a, B> {
 
 /// Something that changes velocities. A force implements the verbs it needs.
 pub trait Force<B: Body> {
-    /// Whether [`couple`](Force::couple) does anything.
-    const COUPLES: bool = false;
+    /// Whether [`couple`](Force::couple) does anything: methods skip it otherwise.
+    const COUPLES: bool;
 
     /// Work that is the same for every body; called once before the others, for each evaluation.
     #[inline]
@@ -182,6 +187,11 @@ impl<B: Body, F: Force<B>, const M: usize> Force<B> for heapless::Vec<F, M> {
     forward!(self => [F], self.as_slice(), self.as_mut_slice());
 }
 
+/// A force that can be switched off: `None` does nothing.
+impl<B: Body, F: Force<B>> Force<B> for Option<F> {
+    forward!(self => [F], self.as_slice(), self.as_mut_slice());
+}
+
 impl<B: Body, F: Force<B> + ?Sized> Force<B> for &mut F {
     forward!(self => F, (**self), (**self));
 }
@@ -226,9 +236,11 @@ tuple!(F1 F2 F3 F4);
 tuple!(F1 F2 F3 F4 F5);
 tuple!(F1 F2 F3 F4 F5 F6);
 
-/// A coefficient that must not be negative nor be lost to rounding.
+/// The coefficient of a force: neither negative, nor out of range, nor lost to rounding.
+///
+/// For forces of your own; `field` names the argument in the error.
 #[inline(always)]
-fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
+pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
     if value.num() < 0 {
         return Err(Error::Negative { field, value });
     }
@@ -239,16 +251,26 @@ fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, 
 }
 
 /// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
+///
+/// For forces of your own: keep one, and ask it in `prepare` or `couple`.
+#[derive(Clone, Copy, Debug)]
+pub struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
+
+impl<S: Scalar, T: Copy> Default for PerStep<S, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 impl<S: Scalar, T: Copy> PerStep<S, T> {
-    const fn new() -> Self {
+    /// Nothing made yet.
+    pub const fn new() -> Self {
         PerStep(None)
     }
 
+    /// What `make` makes of `h`, remembered for as long as `h` is the same.
     #[inline]
-    fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
+    pub fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
         let h = step.coef();
         match self.0 {
             Some((made_for, value)) if made_for == h => value,

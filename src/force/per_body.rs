@@ -2,6 +2,7 @@
 
 use crate::body::Body;
 use crate::force::Force;
+use crate::scalar::Scalar;
 use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
@@ -22,9 +23,12 @@ pub struct PerBody<F>(
 );
 
 impl<B: Body, F: FnMut(Time, &B) -> Vec2<B::S>> Force<B> for PerBody<F> {
+    const COUPLES: bool = false;
+
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
         let force = (self.0)(now.time(), seen);
-        live.push(force.map(|f| now.step.of(f)));
+        let per_mass = B::S::product(now.step.coef(), seen.inv_mass().into());
+        live.kick(force.scaled(per_mass));
     }
 }

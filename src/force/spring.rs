@@ -20,7 +20,7 @@ use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them. Does
 /// nothing once one of them is gone.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Spring<S: Scalar> {
     bodies: [BodyId; 2],
     rest_length: S,
@@ -82,7 +82,7 @@ impl<B: Body> Force<B> for Spring<B::S> {
         let (Some((i, first)), Some((j, second))) = (first, second) else {
             return;
         };
-        let impulse = self.impulse(now.step, &first, &second);
+        let impulse = self.impulse(&now.step, &first, &second);
         if let Some(live) = frame.live_at(i) {
             live.push(impulse);
         }

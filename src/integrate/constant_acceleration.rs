@@ -54,15 +54,15 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
         }
         each(bodies, |body| {
             let seen = *body;
-            body.drift_half(step);
+            body.drift_half(&now.step);
             forces.field(&now, &seen, body);
             if !F::COUPLES {
-                body.drift_half(step);
+                body.drift_half(&now.step);
             }
         });
         if F::COUPLES {
             forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
-            drift_half(bodies, step);
+            drift_half(bodies, &now);
         }
     }
 }

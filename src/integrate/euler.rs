@@ -54,9 +54,11 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
         }
         each(bodies, |body| {
             let seen = *body;
-            body.drift(step);
+            body.drift(&now.step);
             forces.field(&now, &seen, body);
         });
-        forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+        if F::COUPLES {
+            forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+        }
     }
 }

@@ -8,7 +8,8 @@
 //! | [`Verlet`] | 2; exact for constant force | 1 | none | `h ω < 2` | no |
 //!
 //! [`kick`], [`drift`] and [`drift_half`] are free functions over slices: a scene that wants
-//! another order calls them itself. A method that fuses two of them gives the same bits.
+//! another order calls them itself, with one [`Now`] for all stages of a step. A method that fuses
+//! two of them gives the same bits.
 
 mod constant_acceleration;
 mod euler;
@@ -56,14 +57,14 @@ pub fn kick<B: Body, F: Force<B>, H: TimeStep<B::S>>(
 
 /// Stage: `x += h v` for every body.
 #[inline]
-pub fn drift<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
-    each(bodies, |body| body.drift(step));
+pub fn drift<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
+    each(bodies, |body| body.drift(&now.step));
 }
 
 /// Stage: `x += h/2 v` for every body.
 #[inline]
-pub fn drift_half<B: Body>(bodies: &mut [B], step: &impl TimeStep<B::S>) {
-    each(bodies, |body| body.drift_half(step));
+pub fn drift_half<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
+    each(bodies, |body| body.drift_half(&now.step));
 }
 
 /// Fills `seen` with the bodies, which it has room for.

@@ -36,7 +36,7 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
         each(bodies, |body| {
             let seen = *body;
             forces.field(&now, &seen, body);
-            body.drift(step);
+            body.drift(&now.step);
         });
     }
 }

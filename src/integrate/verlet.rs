@@ -37,16 +37,16 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
         let now = Now::middle(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
-            drift_half(bodies, step);
+            drift_half(bodies, &now);
             forces.couple(&now, &mut Frame::new(ids, bodies));
         }
         each(bodies, |body| {
             if !F::COUPLES {
-                body.drift_half(step);
+                body.drift_half(&now.step);
             }
             let seen = *body;
             forces.field(&now, &seen, body);
-            body.drift_half(step);
+            body.drift_half(&now.step);
         });
     }
 }

@@ -3,14 +3,19 @@
 //! ```text
 //! Coef     m / 2^k               m of 31 bits         any k: exact for powers of two
 //! Span     m / 2^(BITS + s)      m of 31 bits, odd    high word, add, shift: the hot loop
-//! InvMass  m / 2^(20 + e)        m of 26 bits         packed in the 4 bytes a body has for it
+//! InvMass  32 m / 2^(20 + e)     m of 26 bits         packed in the 4 bytes a body has for it
 //! ```
 //!
 //! Why a span is odd: `v m` lies on a tie where it is `2^(31+s)` modulo `2^(32+s)`. With m odd,
 //! v itself would have to be a multiple of `2^(31+s)`; for `s >= 1` no 32-bit v but zero is. So
-//! rounding half up is symmetric at no cost. The price is that `h` may be off by one unit of its
-//! mantissa, 9.4e-10 of itself; a rate that is a power of two can be had exactly in
+//! rounding half up is symmetric at no cost. The price is that `h` may be off by a unit or two of its
+//! mantissa, 9.4e-10 each; a length that is a power of two can be had exactly in
 //! [`DyadicStep`](crate::DyadicStep).
+//!
+//! Why spans come in pairs: at 1/60 s every sixtieth velocity has `h v` half-way between two
+//! positions. One span sends all of them outwards, or all inwards; a spring of 1 Hz then runs
+//! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Taken by turns, one below and one
+//! above `h`, they cancel, and the mean of the two is within one unit of `h`.
 
 use super::raw::Raw;
 use crate::ratio::Ratio;
@@ -29,7 +34,7 @@ pub struct Span<R> {
     shift: u32,
 }
 
-/// One over a mass between `2^-10` and `2^21` kg, packed in one `R`.
+/// One over a mass, in 32 bits between `2^-11` and `2^21` kg, packed in one `R`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InvMass<R>(R);
 
@@ -125,10 +130,29 @@ impl<R: Raw> Coef<R> {
 impl<R: Raw> Span<R> {
     #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Span<R>> {
-        let (magnitude, exponent) = ratio.odd_mantissa(R::BITS - 1);
-        let mantissa = R::signed(magnitude, ratio.num() < 0);
+        let (magnitude, exponent) = ratio.floor_mantissa(R::BITS - 1);
+        Self::of_odd(magnitude | 1, exponent, ratio)
+    }
+
+    /// The odd mantissas on either side. At the top of a power of two there may be but one.
+    #[inline(always)]
+    pub(super) fn around(ratio: Ratio) -> Option<[Span<R>; 2]> {
+        let (magnitude, exponent) = ratio.floor_mantissa(R::BITS - 1);
+        let below = magnitude.saturating_sub(1) | 1;
+        let above = if (below + 2) >> (R::BITS - 1) == 0 {
+            below + 2
+        } else {
+            below
+        };
+        let of = |odd| Self::of_odd(odd, exponent, ratio);
+        Some([of(below)?, of(above)?])
+    }
+
+    #[inline(always)]
+    fn of_odd(odd: u64, exponent: i32, ratio: Ratio) -> Option<Span<R>> {
+        let mantissa = R::signed(odd, ratio.num() < 0);
         let shift = u32::try_from(-exponent).ok()?.checked_sub(R::BITS)?;
-        (magnitude != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
+        (ratio.num() != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
     }
 
     #[inline]
@@ -163,5 +187,17 @@ impl<R: Raw> InvMass<R> {
     pub(super) fn to_f64(self) -> f64 {
         let (mantissa, shift) = self.0.unpacked();
         mantissa.to_f64() / (1_u128 << (Self::BASE + shift)) as f64
+    }
+}
+
+/// The same number: a packed mantissa is a mantissa with five bits to spare.
+impl<R: Raw> From<InvMass<R>> for Coef<R> {
+    #[inline]
+    fn from(inverse: InvMass<R>) -> Coef<R> {
+        let (mantissa, shift) = inverse.0.unpacked();
+        Coef {
+            mantissa,
+            shift: InvMass::<R>::BASE + shift,
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! `fixed`'s signed types of 32 bits, and those of 64 as a wide reference.
 //!
 //! Sums saturate, products go through [`Raw`] and its laws; of the crate `fixed` only the
-//! representation and its saturating sums are used. At least one fractional bit is required.
+//! representation and its saturating sums are used. A fractional bit and one before the point are
+//! required: others do not compile.
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -45,10 +46,18 @@ macro_rules! fixed_scalar {
             type Gain = Gain<$raw>;
 
             const ZERO: Self = {
-                assert!(F::U32 >= 1, "a scalar needs a fractional bit");
+                assert!(
+                    F::U32 >= 1 && F::U32 < $raw::BITS,
+                    "a fractional and an integer bit"
+                );
                 $fixed::ZERO
             };
             const MAX: Self = $fixed::MAX;
+
+            #[inline(always)]
+            fn spans(ratio: Ratio) -> Option<[Span<$raw>; 2]> {
+                Span::around(ratio)
+            }
 
             #[inline(always)]
             fn ratio(ratio: Ratio) -> Option<Self> {

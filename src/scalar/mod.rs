@@ -3,13 +3,13 @@
 //! | law | meaning |
 //! |---|---|
 //! | total | no operation panics or wraps, in debug or in release; fixed point saturates, floats go to infinity or NaN |
-//! | odd | `(-a) op b == -(a op b)` for every `a` but the most negative, so a mirrored scene gives the mirrored result |
-//! | nearest | a product is rounded once, to the nearest value; ties go away from zero |
+//! | odd | `(-a) op b == -(a op b)` for every `a` but the most negative, so a mirrored scene gives the mirrored result; only a sum that saturates ends at the type's own limits, the lower one unit further |
+//! | nearest | a product is rounded once, to the nearest value; ties go away from zero in fixed point, to even in floats |
 //! | own precision | `h`, `k` and `1/m` are no state: they are kept with more relative precision than the state has |
 //! | same bits | the same inputs give the same bits on every target |
 //!
-//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) and, as a wide reference,
-//! every [`FixedI64`](fixed::FixedI64). The trait is open: a number type of your own takes part
+//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) but `I0F32` and `I32F0` and, as a wide reference,
+//! every such [`FixedI64`](fixed::FixedI64). The trait is open: a number type of your own takes part
 //! by implementing it.
 //!
 //! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`: it floors, it panics in
@@ -54,7 +54,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// A length of time below a quarter second, for the hot loop `x += h v`. Never zero.
     type Span: Factor<Self>;
     /// One over a mass. Never zero; no larger than the scalar.
-    type InvMass: Factor<Self>;
+    type InvMass: Factor<Self> + Into<Self::Coef>;
     /// A sum of two products, narrowed once.
     type Sum: Copy + Debug;
     /// What a constant rate adds in one step, finer than the scalar.
@@ -65,6 +65,12 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
 
     /// The largest value.
     const MAX: Self;
+
+    /// A span just below `ratio` and one just above, for use by turns; floats have but one.
+    fn spans(ratio: Ratio) -> Option<[Self::Span; 2]> {
+        let span = Self::Span::new(ratio)?;
+        Some([span, span])
+    }
 
     /// The value nearest to `ratio`, `None` outside `-MAX..=MAX`.
     fn ratio(ratio: Ratio) -> Option<Self>;

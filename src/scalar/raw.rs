@@ -210,9 +210,8 @@ fn high_product_i64(a: i64, b: i64) -> i64 {
     (a.product(b) >> 64) as i64
 }
 
-/// Schoolbook product of 16-bit halves. No sum wraps: `|high * low| <= 2^31 - 2^15`, and what is
-/// added to it is below `2^15` in the first line of `mixed`, and below `2^16` in `other`, whose
-/// factors cannot both be extreme because `b`'s high half is at least `-2^15`.
+/// Schoolbook product of 16-bit halves. No sum wraps: a product of a signed and an unsigned half
+/// lies between `-2^31 + 2^15` and `(2^15 - 1)(2^16 - 1)`, and what is added is below `2^16`.
 #[cfg_attr(
     not(all(target_arch = "arm", not(target_has_atomic = "32"))),
     allow(dead_code)

@@ -62,6 +62,11 @@ impl Body for Carried {
         self.velocity += impulse.map(|j| self.inv_mass.of(j));
     }
 
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        self.position.iter().for_each(|x| write(*x as u64));
+        self.velocity.array().iter().for_each(|v| write(v.bits()));
+    }
+
     fn drift(&mut self, _: &impl TimeStep<I16F16>) {
         self.advance(H as i64);
     }
@@ -127,6 +132,12 @@ impl Body for Compensated {
 
     fn push(&mut self, impulse: Vec2<f32>) {
         self.velocity += impulse.map(|j| self.inv_mass * j);
+    }
+
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        for part in [self.position, self.lost, self.velocity.array()] {
+            part.iter().for_each(|x| write(x.bits()));
+        }
     }
 
     fn drift(&mut self, step: &impl TimeStep<f32>) {

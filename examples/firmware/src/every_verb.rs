@@ -61,14 +61,10 @@ fn scene<S: Scalar>(
         body.kick(vec2(0, 1)?);
     }
     let (ids, mut bodies) = (world.ids(), [at(1, 1)?, at(2, 2)?]);
-    kick(
-        ids,
-        &mut bodies,
-        &mut forces,
-        &Now::start(step, world.tick()),
-    );
-    drift(&mut bodies, step);
-    drift_half(&mut bodies, step);
+    let now = Now::start(step, world.tick());
+    kick(ids, &mut bodies, &mut forces, &now);
+    drift(&mut bodies, &now);
+    drift_half(&mut bodies, &now);
     black_box((bodies, world.out_of_range().count(), world.iter().len()));
     let hash = world.state_hash();
     world.clear();
