@@ -2,6 +2,8 @@
 
 #[path = "forces/custom.rs"]
 mod custom;
+#[path = "forces/masses.rs"]
+mod masses;
 #[path = "forces/springs.rs"]
 mod springs;
 

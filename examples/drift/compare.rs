@@ -75,7 +75,7 @@ pub fn compare<S: Scalar>(
     reference: &Reference,
 ) -> Result<Vec<Row>, Error> {
     let represented = Represented::<S>::new(Step::<S>::hz(plan.rate)?.seconds())?;
-    let law = represented.law(scene.law)?;
+    let law = represented.law(scene.law, &scene.bodies(0, 0.0)[0])?;
     let start = |(index, of_start): (usize, &(Track, Track))| {
         let bodies = scene.bodies(index, 0.0);
         let bodies: Vec<Start> = bodies

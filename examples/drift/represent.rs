@@ -16,8 +16,9 @@
 //! velocity v h_d/h      gravity g h_k h_d/h²      drag k h_k/h      stiffness k h_k h_d/h²
 //! ```
 //!
-//! Products that are made once per scene (`k h`, `g h`) are taken as the scalar makes them. What is
-//! left, and counts as rounding of the state, is what happens in every step.
+//! `h_d` is the mean of the two spans that take turns. Products that depend on no state (`k h`, `g h`,
+//! `k h / m`) are taken as the scalar makes them. What is left, and counts as rounding of the state,
+//! is what happens to the state in every step.
 
 use fixstep::scalar::Factor;
 use fixstep::{Body, Error, Point, Ratio, Scalar, Vec2};
@@ -58,11 +59,11 @@ impl<S: Scalar> Represented<S> {
         };
         let h = seconds.to_f64();
         let coef = S::Coef::new(seconds).ok_or(lost)?;
-        let span = S::Span::new(seconds).ok_or(lost)?;
+        let [below, above] = S::spans(seconds).ok_or(lost)?;
         Ok(Represented {
             h,
             coef,
-            drift: span.to_f64() / h,
+            drift: (below.to_f64() + above.to_f64()) / (2.0 * h),
         })
     }
 
@@ -76,22 +77,22 @@ impl<S: Scalar> Represented<S> {
         })
     }
 
-    /// The law that the scalar follows.
-    pub fn law(&self, law: Law) -> Result<Law, Error> {
+    /// The law that the scalar follows with bodies like `start`.
+    pub fn law(&self, law: Law, start: &Start) -> Result<Law, Error> {
         Ok(match law {
             Law::Free => Law::Free,
             Law::Gravity { g } => Law::Gravity {
                 g: self.gravity(g)?,
             },
             Law::Drag { k } => Law::Drag {
-                k: self.per_second(k)?,
+                k: self.per_mass(k, start)?,
             },
             Law::GravityAndDrag { g, k } => Law::GravityAndDrag {
                 g: self.gravity(g)?,
-                k: self.per_second(k)?,
+                k: self.per_mass(k, start)?,
             },
             Law::Anchor { k } => Law::Anchor {
-                k: self.per_second(k)? * self.drift,
+                k: self.per_mass(k, start)? * self.drift,
             },
             Law::Spring { k, rest } => {
                 let rest = vector::<S>(Vec2::new(rest, 0.0))?.to_f64().x;
@@ -105,9 +106,20 @@ impl<S: Scalar> Represented<S> {
 
     /// `k h_k / h`, with the product as the scalar rounds it.
     fn per_second(&self, k: f64) -> Result<f64, Error> {
+        Ok(self.per_step(k)?.to_f64() / self.h)
+    }
+
+    /// The same for a force on one body, which multiplies by `1/m` before it meets the state.
+    fn per_mass(&self, k: f64, start: &Start) -> Result<f64, Error> {
+        let inv_mass = point::<S>(start)?.inv_mass();
+        let product = S::product(self.per_step(k)?, inv_mass.into());
+        Ok(product.to_f64() / (inv_mass.to_f64() * self.h))
+    }
+
+    fn per_step(&self, k: f64) -> Result<S::Coef, Error> {
         let value = real(k)?;
         let coef = S::Coef::new(value).ok_or(Error::OutOfRange { field: "k", value })?;
-        Ok(S::product(coef, self.coef).to_f64() / self.h)
+        Ok(S::product(coef, self.coef))
     }
 
     /// The mean gain of a step: fixed point spreads its fraction over the ticks.
