@@ -56,6 +56,12 @@ fn a_world_adds_an_id_a_body_and_little_else() {
     every_capacity_fits::<I8F24>();
 }
 
+/// The README's figures: 20 bytes a point, 4 its id, 24 the world.
+#[test]
+fn a_world_of_32_points_takes_792_bytes() {
+    assert_eq!(size_of::<World<Point<I16F16>, 32>>(), 32 * (20 + 4) + 24);
+}
+
 #[test]
 fn methods_of_one_pass_store_nothing() {
     assert_eq!(size_of::<SemiImplicitEuler>(), 0);
