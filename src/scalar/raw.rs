@@ -137,11 +137,20 @@ macro_rules! raw {
                 (root + up).min($raw::MAX as $unsigned_wide) as $raw
             }
 
-            // As in `rounded`. The sum leaves the range only within half a unit of the top, where
-            // the result is the next whole number up.
+            // As in `rounded`. A small numerator needs no wide product: with v = high 2^H + low,
+            // the floors of the two parts add up, and half a unit is a multiple of 2^H. A shift
+            // alone leaves the range only within half a unit of the top, where the result is the
+            // next whole number up.
             #[inline(always)]
             fn dyadic(self, num: u32, shift: u32) -> $raw {
                 const MASK: u32 = $raw::BITS - 1;
+                const H: u32 = $raw::BITS / 2;
+                if num != 1 && num >> 15 == 0 && shift > H {
+                    let (high, low) = (self >> H, self & ((1 << H) - 1));
+                    let carry = (low.wrapping_mul(num as $raw) + (self >> MASK)) >> H;
+                    let half = 1 << (shift - 1 - H);
+                    return (high.wrapping_mul(num as $raw) + half + carry) >> (shift - H);
+                }
                 if num != 1 {
                     return Self::rounded((self as $wide).wrapping_mul(num as $wide), shift);
                 }
