@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::TimeStep;
+use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
 /// What the stages ask of a body. A body that keeps the remainders of its roundings implements

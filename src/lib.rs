@@ -34,6 +34,7 @@ pub mod vec2;
 
 pub mod body;
 pub mod id;
+pub mod step;
 pub mod time;
 
 pub mod force;
@@ -52,7 +53,8 @@ pub use id::BodyId;
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
 pub use ratio::Ratio;
 pub use scalar::{Factor, Scalar};
-pub use time::{DyadicStep, Now, Step, Time, TimeStep};
+pub use step::{DyadicStep, Step, TimeStep};
+pub use time::{Now, Time};
 pub use vec2::{Vec2, vec2};
 pub use world::World;
 

@@ -8,7 +8,7 @@ use crate::error::Full;
 use crate::force::Force;
 use crate::id::{self, BodyId};
 use crate::integrate::Method;
-use crate::time::TimeStep;
+use crate::step::TimeStep;
 
 /// Up to `N` bodies, in the order in which they were added.
 ///

@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From bottom to top; files of one rung do not import each other, but for the first.
-const RUNGS: [&[&str]; 9] = [
+const RUNGS: [&[&str]; 10] = [
     &["error", "ratio"],
     &["scalar"],
     &["vec2"],
-    &["id", "time"],
+    &["id", "step"],
+    &["time"],
     &["body"],
     &["force"],
     &["integrate"],

@@ -8,7 +8,8 @@ use crate::force::{Force, Frame, PerStep, coefficient};
 use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 use crate::vec2::Vec2;
 
 /// Draws one body to a point and damps its motion. Does nothing once the body is gone.

@@ -10,7 +10,8 @@ use crate::force::{Force, PerStep};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 use crate::vec2::Vec2;
 
 /// The same acceleration for every body.

@@ -26,21 +26,22 @@ mod all_bodies;
 mod anchor;
 mod drag;
 mod gravity;
+mod list;
 mod per_body;
+mod per_step;
 mod spring;
 
 use crate::body::Body;
-use crate::error::Error;
 use crate::id::{self, BodyId};
-use crate::ratio::Ratio;
-use crate::scalar::{Factor, Scalar};
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
 pub use drag::LinearDrag;
 pub use gravity::{Gravity, GravityY};
 pub use per_body::PerBody;
+pub use per_step::{PerStep, coefficient};
 pub use spring::Spring;
 
 /// Bodies to read and the same bodies to push, in the order of their ids.
@@ -126,163 +127,5 @@ pub trait Force<B: Body> {
     fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
         let _ = (ids, bodies);
         0.0
-    }
-}
-
-impl<B: Body, F: Force<B>> Force<B> for [F] {
-    const COUPLES: bool = F::COUPLES;
-
-    #[inline]
-    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        self.iter_mut().for_each(|force| force.prepare(now));
-    }
-
-    #[inline]
-    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
-        self.iter_mut().for_each(|force| force.couple(now, frame));
-    }
-
-    #[inline]
-    fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
-        self.iter_mut()
-            .for_each(|force| force.field(now, seen, live));
-    }
-
-    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
-        self.iter().map(|force| force.potential(ids, bodies)).sum()
-    }
-}
-
-/// Hands every verb to `self` seen as `$target`.
-macro_rules! forward {
-    ($self:ident => $target:ty, $deref:expr, $deref_mut:expr) => {
-        const COUPLES: bool = <$target>::COUPLES;
-
-        #[inline]
-        fn prepare<H: TimeStep<B::S>>(&mut $self, now: &Now<H>) {
-            $deref_mut.prepare(now);
-        }
-
-        #[inline]
-        fn couple<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, frame: &mut Frame<B>) {
-            $deref_mut.couple(now, frame);
-        }
-
-        #[inline]
-        fn field<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, seen: &B, live: &mut B) {
-            $deref_mut.field(now, seen, live);
-        }
-
-        fn potential(&$self, ids: &[BodyId], bodies: &[B]) -> f64 {
-            $deref.potential(ids, bodies)
-        }
-    };
-}
-
-impl<B: Body, F: Force<B>, const M: usize> Force<B> for [F; M] {
-    forward!(self => [F], self.as_slice(), self.as_mut_slice());
-}
-
-impl<B: Body, F: Force<B>, const M: usize> Force<B> for heapless::Vec<F, M> {
-    forward!(self => [F], self.as_slice(), self.as_mut_slice());
-}
-
-/// A force that can be switched off: `None` does nothing.
-impl<B: Body, F: Force<B>> Force<B> for Option<F> {
-    forward!(self => [F], self.as_slice(), self.as_mut_slice());
-}
-
-impl<B: Body, F: Force<B> + ?Sized> Force<B> for &mut F {
-    forward!(self => F, (**self), (**self));
-}
-
-macro_rules! tuple {
-    ($($name:ident)*) => {
-        #[allow(non_snake_case, unused_variables)]
-        impl<B: Body, $($name: Force<B>),*> Force<B> for ($($name,)*) {
-            const COUPLES: bool = false $(|| $name::COUPLES)*;
-
-            #[inline]
-            fn prepare<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>) {
-                let ($($name,)*) = self;
-                $($name.prepare(now);)*
-            }
-
-            #[inline]
-            fn couple<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>, frame: &mut Frame<B>) {
-                let ($($name,)*) = self;
-                $($name.couple(now, frame);)*
-            }
-
-            #[inline]
-            fn field<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>, seen: &B, live: &mut B) {
-                let ($($name,)*) = self;
-                $($name.field(now, seen, live);)*
-            }
-
-            fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
-                let ($($name,)*) = self;
-                0.0 $(+ $name.potential(ids, bodies))*
-            }
-        }
-    };
-}
-
-tuple!();
-tuple!(F1);
-tuple!(F1 F2);
-tuple!(F1 F2 F3);
-tuple!(F1 F2 F3 F4);
-tuple!(F1 F2 F3 F4 F5);
-tuple!(F1 F2 F3 F4 F5 F6);
-
-/// The coefficient of a force: neither negative, nor out of range, nor lost to rounding.
-///
-/// For forces of your own; `field` names the argument in the error.
-#[inline(always)]
-pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
-    if value.num() < 0 {
-        return Err(Error::Negative { field, value });
-    }
-    S::Coef::new(value).ok_or(match value.num() as u64 > value.den() {
-        true => Error::OutOfRange { field, value },
-        false => Error::RoundsToZero { field, value },
-    })
-}
-
-/// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
-///
-/// For forces of your own: keep one, and ask it in `prepare` or `couple`.
-#[derive(Clone, Copy, Debug)]
-pub struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
-
-impl<S: Scalar, T: Copy> Default for PerStep<S, T> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, T: Copy> PerStep<S, T> {
-    /// Nothing made yet.
-    pub const fn new() -> Self {
-        PerStep(None)
-    }
-
-    /// What `make` makes of `h`, remembered for as long as `h` is the same.
-    #[inline]
-    pub fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
-        let h = step.coef();
-        match self.0 {
-            Some((made_for, value)) if made_for == h => value,
-            _ => self.renew(h, make),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> T {
-        let value = make(h);
-        self.0 = Some((h, value));
-        value
     }
 }

@@ -3,7 +3,8 @@
 use crate::body::Body;
 use crate::force::Force;
 use crate::scalar::Scalar;
-use crate::time::{Now, Time, TimeStep};
+use crate::step::TimeStep;
+use crate::time::{Now, Time};
 use crate::vec2::Vec2;
 
 /// A force, in newtons, that `F` computes from the time and the body alone.

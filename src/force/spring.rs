@@ -15,7 +15,8 @@ use crate::force::{Force, Frame, PerStep, coefficient};
 use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them. Does

@@ -14,7 +14,8 @@ use super::{Method, copy, drift_half, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]

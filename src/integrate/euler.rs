@@ -14,7 +14,8 @@ use super::{Method, copy, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 /// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]

@@ -19,7 +19,8 @@ mod verlet;
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 pub use constant_acceleration::ConstantAcceleration;
 pub use euler::Euler;

@@ -14,7 +14,8 @@ use super::{Method, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 /// Semi-implicit Euler: the cheapest method that is stable for springs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -18,7 +18,8 @@ use super::{Method, drift_half, each};
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
-use crate::time::{Now, TimeStep};
+use crate::step::TimeStep;
+use crate::time::Now;
 
 /// Verlet, drift-kick-drift: the default for bodies that touch nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,0 +1,114 @@
+//! Forces together are a force: tuples, arrays, lists, an option, a reference.
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::step::TimeStep;
+use crate::time::Now;
+
+impl<B: Body, F: Force<B>> Force<B> for [F] {
+    const COUPLES: bool = F::COUPLES;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        self.iter_mut().for_each(|force| force.prepare(now));
+    }
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        self.iter_mut().for_each(|force| force.couple(now, frame));
+    }
+
+    #[inline]
+    fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
+        self.iter_mut()
+            .for_each(|force| force.field(now, seen, live));
+    }
+
+    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+        self.iter().map(|force| force.potential(ids, bodies)).sum()
+    }
+}
+
+/// Hands every verb to `self` seen as `$target`.
+macro_rules! forward {
+    ($self:ident => $target:ty, $deref:expr, $deref_mut:expr) => {
+        const COUPLES: bool = <$target>::COUPLES;
+
+        #[inline]
+        fn prepare<H: TimeStep<B::S>>(&mut $self, now: &Now<H>) {
+            $deref_mut.prepare(now);
+        }
+
+        #[inline]
+        fn couple<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, frame: &mut Frame<B>) {
+            $deref_mut.couple(now, frame);
+        }
+
+        #[inline]
+        fn field<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, seen: &B, live: &mut B) {
+            $deref_mut.field(now, seen, live);
+        }
+
+        fn potential(&$self, ids: &[BodyId], bodies: &[B]) -> f64 {
+            $deref.potential(ids, bodies)
+        }
+    };
+}
+
+impl<B: Body, F: Force<B>, const M: usize> Force<B> for [F; M] {
+    forward!(self => [F], self.as_slice(), self.as_mut_slice());
+}
+
+impl<B: Body, F: Force<B>, const M: usize> Force<B> for heapless::Vec<F, M> {
+    forward!(self => [F], self.as_slice(), self.as_mut_slice());
+}
+
+/// A force that can be switched off: `None` does nothing.
+impl<B: Body, F: Force<B>> Force<B> for Option<F> {
+    forward!(self => [F], self.as_slice(), self.as_mut_slice());
+}
+
+impl<B: Body, F: Force<B> + ?Sized> Force<B> for &mut F {
+    forward!(self => F, (**self), (**self));
+}
+
+macro_rules! tuple {
+    ($($name:ident)*) => {
+        #[allow(non_snake_case, unused_variables)]
+        impl<B: Body, $($name: Force<B>),*> Force<B> for ($($name,)*) {
+            const COUPLES: bool = false $(|| $name::COUPLES)*;
+
+            #[inline]
+            fn prepare<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>) {
+                let ($($name,)*) = self;
+                $($name.prepare(now);)*
+            }
+
+            #[inline]
+            fn couple<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>, frame: &mut Frame<B>) {
+                let ($($name,)*) = self;
+                $($name.couple(now, frame);)*
+            }
+
+            #[inline]
+            fn field<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>, seen: &B, live: &mut B) {
+                let ($($name,)*) = self;
+                $($name.field(now, seen, live);)*
+            }
+
+            fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+                let ($($name,)*) = self;
+                0.0 $(+ $name.potential(ids, bodies))*
+            }
+        }
+    };
+}
+
+tuple!();
+tuple!(F1);
+tuple!(F1 F2);
+tuple!(F1 F2 F3);
+tuple!(F1 F2 F3 F4);
+tuple!(F1 F2 F3 F4 F5);
+tuple!(F1 F2 F3 F4 F5 F6);

@@ -1,0 +1,57 @@
+//! What forces keep: coefficients, and their products with `h`.
+
+use crate::error::Error;
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+use crate::step::TimeStep;
+
+/// The coefficient of a force: neither negative, nor out of range, nor lost to rounding.
+///
+/// For forces of your own; `field` names the argument in the error.
+#[inline(always)]
+pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
+    if value.num() < 0 {
+        return Err(Error::Negative { field, value });
+    }
+    S::Coef::new(value).ok_or(match value.num() as u64 > value.den() {
+        true => Error::OutOfRange { field, value },
+        false => Error::RoundsToZero { field, value },
+    })
+}
+
+/// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
+///
+/// For forces of your own: keep one, and ask it in `prepare` or `couple`.
+#[derive(Clone, Copy, Debug)]
+pub struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
+
+impl<S: Scalar, T: Copy> Default for PerStep<S, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, T: Copy> PerStep<S, T> {
+    /// Nothing made yet.
+    pub const fn new() -> Self {
+        PerStep(None)
+    }
+
+    /// What `make` makes of `h`, remembered for as long as `h` is the same.
+    #[inline]
+    pub fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
+        let h = step.coef();
+        match self.0 {
+            Some((made_for, value)) if made_for == h => value,
+            _ => self.renew(h, make),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> T {
+        let value = make(h);
+        self.0 = Some((h, value));
+        value
+    }
+}
