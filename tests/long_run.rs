@@ -4,7 +4,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{Anchor, Body, Point, Step, World};
+use fixstep::{Anchor, Body, DyadicStep, Point, Step, TimeStep, World};
 use support::*;
 
 const RATE: f64 = 60.0;
@@ -96,7 +96,8 @@ fn turned(scheme: Scheme, q: f64, [x, u]: [f64; 2], n: u32) -> f64 {
 }
 
 /// The largest error, m, of sixteen swings of 16 m over the last two periods.
-fn swing<S: Format>(scheme: Scheme) -> [f64; 16] {
+fn swing<S: Format, H: TimeStep<S>>(scheme: Scheme, step: H) -> [f64; 16] {
+    let h = step.seconds().to_f64();
     let start = |i: usize| {
         let (x, v) = (AMPLITUDE, AMPLITUDE * omega(i));
         let part = |k: usize| [x * angle(k).cos(), v * angle(k).sin()];
@@ -107,7 +108,7 @@ fn swing<S: Format>(scheme: Scheme) -> [f64; 16] {
     let starts = world.clone();
     let stiffness = std::array::from_fn(|i| omega(i) * omega(i));
     let mut forces: [Anchor<S>; 8] = anchors(&world, stiffness);
-    let (mut method, step) = (scheme.method(), Step::hz(60).unwrap());
+    let mut method = scheme.method();
     let mut worst = [0.0; 16];
     for n in 1..=STEPS {
         world.step(&mut method, &mut forces, &step);
@@ -119,12 +120,13 @@ fn swing<S: Format>(scheme: Scheme) -> [f64; 16] {
             let of = |v: fixstep::Vec2<S>| v.to_f64().array()[i % 2];
             let (omega, x) = (omega(i / 2), of(now.position()));
             let state = [of(then.position()), of(then.velocity()) / omega];
-            let exact = turned(scheme, omega / RATE, state, n);
+            let exact = turned(scheme, omega * h, state, n);
             *worst = maximum(&[*worst, (x - exact).abs()]);
         }
     }
     worst
 }
+
 /// What may come together in N steps, in m:
 ///
 /// * ties, where h v lies half-way (v = 30 modulo 60 units): half a unit each, but along v in one
@@ -140,7 +142,7 @@ fn swing_bound<S: Format>(scheme: Scheme) -> f64 {
 }
 
 fn check_swing<S: Format>(scheme: Scheme) -> [f64; 16] {
-    let errors = swing::<S>(scheme);
+    let errors = swing::<S, _>(scheme, Step::hz(60).unwrap());
     let what = format!("{} {scheme:?} 16 m 1 Hz 1e6 steps, m", S::name());
     within(swing_bound::<S>(scheme), &what, &errors);
     errors
@@ -163,4 +165,26 @@ fn a_spring_is_ten_times_better_in_i8f24_than_in_f32_by_semi_implicit_euler() {
 #[test]
 fn a_spring_is_ten_times_better_in_i8f24_than_in_f32_by_verlet() {
     check_swings(Scheme::Verlet);
+}
+
+/// Ties of a dyadic step, v = 32 modulo 64 units, all go outwards: N / 64 of them, half a unit each,
+/// 2/π for the part that turns the phase, are 7.6 cm. The other roundings as in `swing_bound`.
+#[test]
+fn a_dyadic_step_runs_ahead_where_a_step_does_not() {
+    let scheme = Scheme::SemiImplicitEuler;
+    let ahead = STEPS as f64 / 64.0 * 0.5 * std::f64::consts::FRAC_2_PI * I16F16::unit(0.0);
+    let dyadic = swing::<I16F16, _>(scheme, DyadicStep::<_, 1, 6>::new().unwrap());
+    let off = dyadic.map(|error| (error - ahead).abs());
+    within(
+        swing_bound::<I16F16>(scheme),
+        "I16F16 1/64 s, beside 7.6 cm, m",
+        &off,
+    );
+    let turning = swing::<I16F16, _>(scheme, Step::hz(64).unwrap());
+    within(
+        swing_bound::<I16F16>(scheme),
+        "I16F16 at 64 Hz, m",
+        &turning,
+    );
+    assert!(10.0 * median(&turning) <= median(&dyadic));
 }
