@@ -51,8 +51,7 @@ impl<B: Body, const N: usize> World<B, N> {
     }
 }
 
-/// Fowler, Noll, Vo: the 64-bit hash with the xor first.
-/// Source: RFC 9923, "The FNV Non-Cryptographic Hash Algorithm".
+/// The hash of Fowler, Noll and Vo: 64 bits, the xor first.
 struct Fnv(u64);
 
 impl Fnv {

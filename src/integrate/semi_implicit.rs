@@ -8,7 +8,8 @@
 //! Order 1 · one force call · no extra state · stable for `h ω < 2` · may be used with contacts
 //! Keeps `v² + ω² x² - h ω² x v` of an undamped spring, so its energy stays bounded.
 //! Free fall comes out `g T h / 2` too far along g.
-//! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", VI.3 and IX.
+//! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
+//! method", Acta Numerica 12 (2003), section 1.
 
 use super::{Method, each};
 use crate::body::Body;

@@ -12,7 +12,8 @@
 //! go stale when a body is teleported or added; half-step velocities are not the velocities a scene
 //! reads. Drift-kick-drift has neither fault. Its price is a second product per axis, and a second
 //! rounding of x: a steady cruise drifts up to twice as far as under semi-implicit Euler.
-//! Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration", I.1.4.
+//! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
+//! method", Acta Numerica 12 (2003), section 1.
 
 use super::{Method, drift_half, each};
 use crate::body::Body;
