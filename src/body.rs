@@ -7,7 +7,7 @@ use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
 /// What the stages ask of a body. A body that keeps the remainders of its roundings implements
-/// the same four verbs and takes part in every scene.
+/// the same verbs and takes part in every scene.
 pub trait Body: Copy + 'static {
     /// Its number type.
     type S: Scalar;

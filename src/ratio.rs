@@ -2,7 +2,7 @@
 //!
 //! A [`Ratio`] is exact. A number type rounds it once, when a constructor asks for it. Of a ratio
 //! that is written in the source the compiler makes the rounded constant; one that is known only
-//! at run time costs a 128-bit division, about 1 KB of code on a Cortex-M0+.
+//! at run time costs a 128-bit division.
 
 use core::fmt;
 use core::num::NonZero;

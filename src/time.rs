@@ -15,8 +15,8 @@ pub struct Time {
 impl Time {
     /// The time since the start as a scalar, rounded once; saturates at the end of the range.
     ///
-    /// Made by a 128-bit division: a few hundred instructions. A force that oscillates for long does
-    /// better to reduce [`half_ticks`](Time::half_ticks) by its period in integers.
+    /// Made by a 128-bit division, dear on a small core. A force that oscillates for long does better
+    /// to reduce [`half_ticks`](Time::half_ticks) by its period in integers.
     pub fn seconds<S: Scalar>(self) -> S {
         let num = self.half_ticks as u128 * self.seconds.num() as u128;
         let den = self.seconds.den() as u128 * 2;

@@ -130,7 +130,13 @@ fn the_architecture_says_what_was_measured() {
         ("f32", "`Point<f32>`"),
         ("f32 compensated", "the same, compensated"),
     ];
-    for (name, title) in names {
+    let sizes = [
+        size_of::<Point<I16F16>>(),
+        size_of::<Carried>(),
+        size_of::<Point<f32>>(),
+        size_of::<Compensated>(),
+    ];
+    for ((name, title), size) in names.into_iter().zip(sizes) {
         let mut figures = rows()
             .filter(|row| row[1] == name && row[2] == "1/60" && row[3] == "SemiImplicitEuler");
         let mut next = || figures.next().unwrap()[4].parse::<f64>().unwrap().round();
@@ -140,7 +146,7 @@ fn the_architecture_says_what_was_measured() {
             .find(|line| line.starts_with(&format!("| {title} |")));
         let row = row.unwrap_or_else(|| panic!("ARCHITECTURE.md lacks {title}"));
         assert!(
-            row.ends_with(&format!("| {m0} | {m4} |")),
+            row.ends_with(&format!("| {size} | {m0} | {m4} |")),
             "{row}: {m0}, {m4}"
         );
     }

@@ -191,8 +191,8 @@ fn state(world: &Scene<f64>) -> State {
 }
 
 fn distance(a: &State, b: &State) -> f64 {
-    let of = |i: usize| (a[i].0 - b[i].0).length().max((a[i].1 - b[i].1).length());
-    [0, 1, 2].map(of).into_iter().fold(0.0, f64::max)
+    let of = |i: usize| (a[i].0 - b[i].0).length() + (a[i].1 - b[i].1).length();
+    [0, 1, 2].map(of).into_iter().sum()
 }
 
 /// How far the method gets from the recomputation in 60 steps.

@@ -157,6 +157,22 @@ fn steps_are_as_long_as_they_say() {
     step_is_as_long_as_it_says::<I32F32>(2.0_f64.powi(-32));
 }
 
+// Odd mantissas from 2^30 lie two units apart, so their middle is within one of any h between.
+#[test]
+fn two_spans_are_within_2_to_the_minus_30_on_the_mean() {
+    for hz in (5..5000).chain([7_919, 59_727, 1_000_003]) {
+        let seconds = Ratio::new(1, hz).unwrap();
+        let spans = I16F16::spans(seconds).unwrap();
+        let [below, above] = spans.map(Factor::<I16F16>::to_f64);
+        let h = seconds.to_f64();
+        assert!(below <= h && h <= above, "{hz} Hz: {below}, {above}");
+        assert!(
+            ((below + above) / (2.0 * h) - 1.0).abs() <= 2.0_f64.powi(-30),
+            "{hz} Hz"
+        );
+    }
+}
+
 fn dyadic_is_exact<const NUM: u32, const SHIFT: u32>() {
     let step = DyadicStep::<I16F16, NUM, SHIFT>::new().unwrap();
     let limited = |raw: i128| raw.clamp(-i128::from(i32::MAX), i32::MAX.into());

@@ -78,7 +78,7 @@ fn copy<B: Body, const N: usize>(bodies: &[B], seen: &mut heapless::Vec<B, N>) {
 }
 
 /// `f` on every body. Counts bodies, not addresses: from a loop over addresses the compiler
-/// divides by the size of a body before it unrolls, 150 instructions on a core that cannot divide.
+/// divides by the size of a body before it unrolls, dear on a core that cannot divide.
 #[inline(always)]
 fn each<B>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
     let mut rest = bodies;

@@ -8,9 +8,9 @@
 //! | own precision | `h`, `k` and `1/m` are no state: they are kept with more relative precision than the state has |
 //! | same bits | the same inputs give the same bits on every target |
 //!
-//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) but `I0F32` and `I32F0` and, as a wide reference,
-//! every such [`FixedI64`](fixed::FixedI64). The trait is open: a number type of your own takes part
-//! by implementing it.
+//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) but `I0F32` and `I32F0`, and, as
+//! a wide reference, every such [`FixedI64`](fixed::FixedI64). The trait is open: a number type of
+//! your own takes part by implementing it.
 //!
 //! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`: it floors, it panics in
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
@@ -58,7 +58,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// A sum of two products, narrowed once.
     type Sum: Copy + Debug;
     /// What a constant rate adds in one step, finer than the scalar.
-    type Gain: Copy + Debug + PartialEq;
+    type Gain: Copy + Debug;
 
     /// Zero.
     const ZERO: Self;

@@ -207,7 +207,7 @@ fn high_product_i32(a: i32, b: i32) -> i32 {
 }
 
 /// The same word from 16-bit halves, for ARM cores whose multiplier gives 32 bits (Cortex-M0+;
-/// they are told by having no atomics). The runtime's 64-bit multiply takes twice as long.
+/// they are told by having no atomics). The runtime's multiply makes 64 bits.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline(always)]
 fn high_product_i32(a: i32, b: i32) -> i32 {
