@@ -93,6 +93,21 @@ impl<S: Scalar> Point<S> {
         })
     }
 
+    /// From a state that was a point's before, NaN and all; `None` where the inverse mass is not
+    /// finite or not greater than zero, as only the bits of a float can be.
+    pub(crate) fn from_parts(
+        position: Vec2<S>,
+        velocity: Vec2<S>,
+        inv_mass: S::InvMass,
+    ) -> Option<Self> {
+        let finite = inv_mass.of(S::ZERO) == S::ZERO;
+        (finite && inv_mass.of(S::MAX) > S::ZERO).then_some(Point {
+            position,
+            velocity,
+            inv_mass,
+        })
+    }
+
     /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
     pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
         finite("position", position)?;
@@ -110,7 +125,7 @@ impl<S: Scalar> Point<S> {
 
 /// A finite number less itself is zero; infinity and NaN give NaN.
 #[inline]
-fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
+pub(crate) fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
     if v.map(|s| s.minus(s)) == Vec2::ZERO {
         Ok(())
     } else {

@@ -8,6 +8,11 @@ use crate::ratio::Ratio;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
+    /// There must be at least one.
+    Empty {
+        /// Name of the argument.
+        field: &'static str,
+    },
     /// The field must be greater than zero.
     NotPositive {
         /// Name of the argument.
@@ -51,6 +56,7 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Error::Empty { field } => write!(f, "{field} must not be empty"),
             Error::NotPositive { field, value } => {
                 write!(f, "{field} must be greater than zero, not {value}")
             }
@@ -75,11 +81,27 @@ impl core::error::Error for Error {}
 
 /// There was no room; the body that was to be added is inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Full<B>(pub B);
+#[non_exhaustive]
+pub struct Full<B> {
+    /// The body that found no place.
+    pub body: B,
+    /// How many the world holds.
+    pub capacity: usize,
+}
+
+impl<B> Full<B> {
+    pub(crate) fn new(body: B, capacity: usize) -> Full<B> {
+        Full { body, capacity }
+    }
+}
 
 impl<B> fmt::Display for Full<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the world has no room for another body")
+        write!(
+            f,
+            "a world for {} bodies has no room for another",
+            self.capacity
+        )
     }
 }
 

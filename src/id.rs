@@ -7,6 +7,8 @@
 //! That holds within one history of one world. A clone that is put back gives the serial numbers
 //! since then a second time, and the ids of another world look the same.
 
+use core::fmt;
+
 /// Names one body of one world, for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(u32);
@@ -20,11 +22,30 @@ impl BodyId {
         self.0.checked_add(1).map(BodyId)
     }
 
+    pub(crate) fn from_serial(serial: u32) -> BodyId {
+        BodyId(serial)
+    }
+
     /// The serial number: 0 for the first body that was added.
     pub fn serial(self) -> u32 {
         self.0
     }
 }
+
+/// The body of that name is not in the world, or no more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stale(
+    /// Its name.
+    pub BodyId,
+);
+
+impl fmt::Display for Stale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "body {} is not in the world", self.0.serial())
+    }
+}
+
+impl core::error::Error for Stale {}
 
 /// Where `id` stands in `ids`, which rise.
 #[inline]

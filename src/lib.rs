@@ -28,12 +28,16 @@
 #![deny(missing_docs)]
 
 pub mod error;
+mod fnv;
 pub mod ratio;
 pub mod scalar;
 pub mod vec2;
 
+pub mod accumulator;
+pub mod between;
 pub mod body;
 pub mod id;
+pub mod mass;
 pub mod step;
 pub mod time;
 
@@ -41,18 +45,33 @@ pub mod force;
 pub mod integrate;
 
 pub mod measure;
+pub mod snapshot;
 pub mod world;
+
+#[cfg(feature = "defmt")]
+mod defmt;
+#[cfg(feature = "mint")]
+mod mint;
+#[cfg(feature = "serde")]
+mod serde;
 
 pub use fixed;
 pub use heapless;
 
+pub use accumulator::{Accumulator, Due};
+pub use between::Between;
 pub use body::{Body, Point};
 pub use error::{Error, Full};
-pub use force::{AllBodies, Anchor, Force, Frame, Gravity, GravityY, LinearDrag, PerBody, Spring};
-pub use id::BodyId;
+pub use force::{
+    AllBodies, AllPairs, Anchor, Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs,
+    PerBody, Pull, Push, QuadraticDrag, Spring, Window,
+};
+pub use id::{BodyId, Stale};
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
+pub use mass::{CentreOfMass, PointMass};
 pub use ratio::Ratio;
-pub use scalar::{Factor, Scalar};
+pub use scalar::{Factor, Scalar, Stored};
+pub use snapshot::{Saved, SnapshotError};
 pub use step::{DyadicStep, Step, TimeStep};
 pub use time::{Now, Time};
 pub use vec2::{Vec2, vec2};

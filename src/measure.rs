@@ -5,6 +5,7 @@
 //! which the scene really has.
 
 use crate::body::Body;
+use crate::fnv::Fnv64;
 use crate::force::Force;
 use crate::scalar::Factor;
 use crate::vec2::Vec2;
@@ -41,27 +42,12 @@ impl<B: Body, const N: usize> World<B, N> {
     /// FNV-1a over the tick, the ids and the exact bits of every position and velocity: equal
     /// states have equal hashes on every target. Masses, which no step changes, are left out.
     pub fn state_hash(&self) -> u64 {
-        let mut hash = Fnv::new();
+        let mut hash = Fnv64::new();
         hash.write(self.tick());
         for (id, body) in self.iter() {
             hash.write(id.serial() as u64);
             body.write_state(&mut |word| hash.write(word));
         }
         hash.0
-    }
-}
-
-/// The hash of Fowler, Noll and Vo: 64 bits, the xor first.
-struct Fnv(u64);
-
-impl Fnv {
-    fn new() -> Fnv {
-        Fnv(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn write(&mut self, word: u64) {
-        for byte in word.to_le_bytes() {
-            self.0 = (self.0 ^ byte as u64).wrapping_mul(0x100_0000_01b3);
-        }
     }
 }

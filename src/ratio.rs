@@ -36,6 +36,49 @@ impl Ratio {
         Ratio::new(num as i64, den as u64).ok()
     }
 
+    /// `num / den` in lowest terms; `None` where that takes more than 62 bits.
+    pub(crate) fn reduced(num: u128, den: u128) -> Option<Ratio> {
+        let (mut divisor, mut rest) = (num, den);
+        while let Some(by) = NonZero::new(rest) {
+            (divisor, rest) = (by.get(), divisor % by);
+        }
+        let divisor = NonZero::new(divisor)?;
+        let num = i64::try_from(num / divisor).ok()?;
+        Ratio::new(num, u64::try_from(den / divisor).ok()?).ok()
+    }
+
+    /// `self + other` of ratios greater than zero, reduced, to within `2^-32` of itself.
+    pub(crate) fn plus(self, other: Ratio) -> Option<Ratio> {
+        let left = self.num as u128 * other.den as u128;
+        let right = other.num as u128 * self.den as u128;
+        let (num, den) = (left + right, self.den as u128 * other.den as u128);
+        Ratio::reduced(num, den).or_else(|| {
+            Ratio::nearest(num, den).filter(|sum| sum.den >> 33 != 0 && sum.num >> 33 != 0)
+        })
+    }
+
+    /// `self / other` of ratios greater than zero, to 62 bits.
+    pub(crate) fn over(self, other: Ratio) -> Option<Ratio> {
+        let num = self.num as u128 * other.den as u128;
+        Ratio::nearest(num, self.den as u128 * other.num as u128)
+    }
+
+    /// A whole number.
+    pub(crate) const fn whole(num: u32) -> Ratio {
+        Ratio {
+            num: num as i64,
+            den: 1,
+        }
+    }
+
+    /// `num / den` of numbers up to `2^62`.
+    pub(crate) fn fraction(num: u64, den: NonZero<u64>) -> Ratio {
+        Ratio {
+            num: num as i64,
+            den: den.get(),
+        }
+    }
+
     /// `num / den`. Refuses `den == 0` and magnitudes above `2^62`.
     pub const fn new(num: i64, den: u64) -> Result<Ratio, Error> {
         if den == 0 || den > LIMIT || num.unsigned_abs() > LIMIT {

@@ -3,25 +3,28 @@
 //! A world holds bodies, their ids and the tick: nothing else, so that a clone is a snapshot.
 //! Forces, step and method stay outside; a scene hands them in.
 
+use crate::between::Between;
 use crate::body::Body;
 use crate::error::Full;
 use crate::force::Force;
-use crate::id::{self, BodyId};
+use crate::id::{self, BodyId, Stale};
 use crate::integrate::Method;
 use crate::step::TimeStep;
+use crate::time::{Now, Time};
+use crate::vec2::Vec2;
 
 /// Up to `N` bodies, in the order in which they were added.
 ///
 /// `new` is `const`: a world can live in a `static`.
 ///
 /// ```
-/// use fixstep::{vec2, Point, World, fixed::types::I16F16};
+/// use fixstep::{vec2, Point, Stale, World, fixed::types::I16F16};
 /// let mut world = World::<Point<I16F16>, 1>::new();
 /// let ball = Point::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
 /// let id = world.add(ball).unwrap();
-/// assert_eq!(world.add(ball).unwrap_err().0, ball); // full: the body comes back
-/// assert_eq!(world.remove(id), Some(ball));
-/// assert_eq!(world.get(id), None);
+/// assert_eq!(world.add(ball).unwrap_err().body, ball); // full: the body comes back
+/// assert_eq!(world.remove(id), Ok(ball));
+/// assert_eq!(world.get(id), Err(Stale(id)));
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -56,20 +59,45 @@ impl<B: Body, const N: usize> World<B, N> {
     #[inline]
     pub fn add(&mut self, body: B) -> Result<BodyId, Full<B>> {
         let Some(id) = self.next else {
-            return Err(Full(body));
+            return Err(Full::new(body, N));
         };
-        self.bodies.push(body).map_err(Full)?;
+        self.bodies.push(body).map_err(|body| Full::new(body, N))?;
         // Both arrays have the same room.
         let _ = self.ids.push(id);
         self.next = id.next();
         Ok(id)
     }
 
-    /// Takes a body out; those behind it move up. `None` for a stale id.
-    pub fn remove(&mut self, id: BodyId) -> Option<B> {
+    /// The id that the next body gets; `None` when there are no more.
+    pub(crate) fn next_id(&self) -> Option<BodyId> {
+        self.next
+    }
+
+    /// Puts a body back under the name it had; `None` where names would not rise.
+    pub(crate) fn put_back(&mut self, id: BodyId, body: B) -> Option<()> {
+        if self.ids.last().is_some_and(|&last| last >= id) {
+            return None;
+        }
+        self.bodies.push(body).ok()?;
+        let _ = self.ids.push(id);
+        Some(())
+    }
+
+    /// Sets the clock and the next name; `None` for a name that a body has, or will have.
+    pub(crate) fn go_on_from(&mut self, tick: u64, next: Option<BodyId>) -> Option<()> {
+        let given = self.ids.last().copied();
+        if next.is_some_and(|next| given.is_some_and(|given| given >= next)) {
+            return None;
+        }
+        (self.tick, self.next) = (tick, next);
+        Some(())
+    }
+
+    /// Takes a body out; those behind it move up. Refuses a stale id.
+    pub fn remove(&mut self, id: BodyId) -> Result<B, Stale> {
         let gone = *self.get(id)?;
         self.retain(|other, _| other != id);
-        Some(gone)
+        Ok(gone)
     }
 
     /// Keeps the bodies for which `keep` is true, in their order.
@@ -97,14 +125,16 @@ impl<B: Body, const N: usize> World<B, N> {
         self.bodies.clear();
     }
 
-    /// The body of that name; `None` for a stale id.
-    pub fn get(&self, id: BodyId) -> Option<&B> {
-        self.bodies.get(id::position(&self.ids, id)?)
+    /// The body of that name. Refuses a stale id.
+    pub fn get(&self, id: BodyId) -> Result<&B, Stale> {
+        let place = id::position(&self.ids, id).ok_or(Stale(id))?;
+        self.bodies.get(place).ok_or(Stale(id))
     }
 
-    /// The body of that name, to be changed between steps.
-    pub fn get_mut(&mut self, id: BodyId) -> Option<&mut B> {
-        self.bodies.get_mut(id::position(&self.ids, id)?)
+    /// The body of that name, to be changed between steps. Refuses a stale id.
+    pub fn get_mut(&mut self, id: BodyId) -> Result<&mut B, Stale> {
+        let place = id::position(&self.ids, id).ok_or(Stale(id))?;
+        self.bodies.get_mut(place).ok_or(Stale(id))
     }
 
     /// Every body with its id, in the order in which they were added.
@@ -153,6 +183,39 @@ impl<B: Body, const N: usize> World<B, N> {
         method.step(&self.ids, &mut self.bodies, forces, step, self.tick);
         // Comes round after 2^64 steps: at 1 kHz, 600 million years.
         self.tick = self.tick.wrapping_add(1);
+    }
+
+    /// Where to draw each body at a part of the step that led from `before` to here, by the formula
+    /// of `method`. A body that was not there before is drawn where it is.
+    ///
+    /// ```
+    /// use fixstep::{dec, vec2, Between, DyadicStep, GravityY, Point, Verlet, World};
+    /// let step = DyadicStep::<f32, 1, 1>::new()?;
+    /// let mut gravity = GravityY::new(-8)?;
+    /// let mut world = World::<_, 1>::new();
+    /// world.add(Point::new(vec2(0, 9)?, vec2(2, 0)?, 1)?).unwrap();
+    /// let before = world.clone();
+    /// world.step(&mut Verlet, &mut gravity, &step);
+    /// let middle = Between::new(dec!(0.5), &step)?; // a quarter second after the start
+    /// let (_, at) = world.between(&before, &Verlet, &middle).next().unwrap();
+    /// assert_eq!(at, vec2(dec!(0.5), dec!(8.75))?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    pub fn between<'a, M: Method<B, N>>(
+        &'a self,
+        before: &'a World<B, N>,
+        method: &'a M,
+        part: &'a Between<B::S>,
+    ) -> impl Iterator<Item = (BodyId, Vec2<B::S>)> + 'a {
+        self.iter().map(move |(id, after)| {
+            let before = before.get(id).unwrap_or(after);
+            (id, method.between(part, before, after))
+        })
+    }
+
+    /// The time since tick 0, if every step was a `step`.
+    pub fn time(&self, step: &impl TimeStep<B::S>) -> Time {
+        Now::start(step, self.tick).time()
     }
 
     /// The bodies that stand at an end of the range, or are NaN or infinite, now.

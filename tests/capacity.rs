@@ -9,7 +9,7 @@ use std::sync::Mutex;
 
 use fixstep::fixed::types::I16F16;
 use fixstep::{
-    Body, BodyId, DyadicStep, Full, Gravity, Point, Spring, Step, Vec2, Verlet, World, dec, vec2,
+    Body, BodyId, DyadicStep, Gravity, Point, Spring, Stale, Step, Vec2, Verlet, World, dec, vec2,
 };
 
 type Ball = Point<I16F16>;
@@ -34,7 +34,8 @@ fn xs<const N: usize>(world: &World<Ball, N>) -> Vec<i32> {
 #[test]
 fn a_world_without_room_gives_the_body_back() {
     let mut none = World::<Ball, 0>::new();
-    assert_eq!(none.add(ball(7)), Err(Full(ball(7))));
+    let refused = none.add(ball(7)).unwrap_err();
+    assert_eq!((refused.body, refused.capacity), (ball(7), 0));
     assert!(none.is_empty() && none.iter().next().is_none());
 }
 
@@ -42,7 +43,8 @@ fn a_world_without_room_gives_the_body_back() {
 fn the_body_after_the_last_comes_back_and_the_rest_stay() {
     let (mut world, ids) = filled::<5>();
     let before = world.state_hash();
-    assert_eq!(world.add(ball(5)), Err(Full(ball(5))));
+    let refused = world.add(ball(5)).unwrap_err();
+    assert_eq!((refused.body, refused.capacity), (ball(5), 5));
     assert_eq!((world.len(), world.state_hash()), (5, before));
     assert_eq!(world.ids(), ids);
 }
@@ -50,28 +52,29 @@ fn the_body_after_the_last_comes_back_and_the_rest_stay() {
 #[test]
 fn room_that_was_given_up_is_used_again_under_another_name() {
     let (mut world, ids) = filled::<1>();
-    assert_eq!(world.remove(ids[0]), Some(ball(0)));
+    assert_eq!(world.remove(ids[0]), Ok(ball(0)));
     let next = world.add(ball(1)).unwrap();
     assert_ne!(next, ids[0]);
-    assert_eq!(world.get(ids[0]), None);
-    assert_eq!(world.get_mut(ids[0]), None);
-    assert_eq!(world.remove(ids[0]), None);
-    assert_eq!(world.get(next), Some(&ball(1)));
+    let stale = Stale(ids[0]);
+    assert_eq!(world.get(ids[0]), Err(stale));
+    assert_eq!(world.get_mut(ids[0]), Err(stale));
+    assert_eq!(world.remove(ids[0]), Err(stale));
+    assert_eq!(world.get(next), Ok(&ball(1)));
 }
 
 #[test]
 fn a_refused_body_uses_up_no_name() {
     let (mut world, ids) = filled::<1>();
     let _ = world.add(ball(1));
-    world.remove(ids[0]);
+    world.remove(ids[0]).unwrap();
     assert_eq!(world.add(ball(2)).unwrap().serial(), 1);
 }
 
 #[test]
 fn bodies_stand_in_the_order_they_were_added() {
     let (mut world, ids) = filled::<6>();
-    world.remove(ids[0]);
-    world.remove(ids[3]);
+    world.remove(ids[0]).unwrap();
+    world.remove(ids[3]).unwrap();
     assert_eq!(xs(&world), [1, 2, 4, 5]);
     world.add(ball(9)).unwrap();
     assert_eq!(xs(&world), [1, 2, 4, 5, 9]);
@@ -88,8 +91,9 @@ fn retain_asks_once_for_each_body_in_order() {
     });
     assert_eq!(asked, ids);
     assert_eq!(xs(&world), [0, 1, 3, 4]);
-    assert_eq!(world.get(ids[4]), Some(&ball(4)));
-    assert_eq!((world.get(ids[2]), world.get(ids[5])), (None, None));
+    assert_eq!(world.get(ids[4]), Ok(&ball(4)));
+    assert_eq!(world.get(ids[2]), Err(Stale(ids[2])));
+    assert_eq!(world.get(ids[5]), Err(Stale(ids[5])));
 }
 
 #[test]
@@ -100,7 +104,7 @@ fn clear_takes_all_bodies_but_gives_no_name_again() {
     assert!(world.is_empty() && world.ids().is_empty());
     assert_eq!(world.tick(), 2);
     let id = world.add(ball(0)).unwrap();
-    assert!(ids.iter().all(|&old| old != id && world.get(old).is_none()));
+    assert!(ids.iter().all(|&old| old != id && world.get(old).is_err()));
 }
 
 #[test]
@@ -152,10 +156,10 @@ fn a_clone_is_a_snapshot() {
     let (mut world, ids) = filled::<4>();
     step(&mut world, 10);
     let mut snapshot = world.clone();
-    world.remove(ids[1]);
+    world.remove(ids[1]).unwrap();
     step(&mut world, 50);
     assert_ne!(world.state_hash(), snapshot.state_hash());
-    snapshot.remove(ids[1]);
+    snapshot.remove(ids[1]).unwrap();
     step(&mut snapshot, 50);
     assert_eq!(world.state_hash(), snapshot.state_hash());
     assert_eq!(world.add(ball(8)), snapshot.add(ball(8)));
@@ -168,7 +172,7 @@ fn a_world_lives_in_a_static() {
     let mut world = WORLD.lock().unwrap();
     let id = world.add(ball(3)).unwrap();
     step(&mut world, 1);
-    assert_eq!((world.get(id).is_some(), world.tick()), (true, 1));
+    assert_eq!((world.get(id).is_ok(), world.tick()), (true, 1));
 }
 
 #[test]

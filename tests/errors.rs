@@ -156,8 +156,8 @@ fn coefficients() {
     let drag = |value: Ratio| LinearDrag::<I16F16>::new(value).err();
     let stiff = |value: Ratio| Anchor::<I16F16>::new(id, here, value, 0).err();
     let damped = |value: Ratio| Anchor::<I16F16>::new(id, here, 1, value).err();
-    let spring = |value: Ratio| Spring::<I16F16>::new([id, id], 1, value, 0).err();
-    let brake = |value: Ratio| Spring::<I16F16>::new([id, id], 1, 1, value).err();
+    let spring = |value: Ratio| Spring::<I16F16>::new(1, value, 0).err();
+    let brake = |value: Ratio| Spring::<I16F16>::new(1, 1, value).err();
     type Refusal<'a> = &'a dyn Fn(Ratio) -> Option<Error>;
     let all: [(&str, Refusal); 5] = [
         ("drag", &drag),
@@ -184,7 +184,7 @@ fn coefficients() {
 
 #[test]
 fn rest_lengths() {
-    let spring = |value: Ratio| Spring::<I16F16>::new([some_id(); 2], value, 1, 0).err();
+    let spring = |value: Ratio| Spring::<I16F16>::new(value, 1, 0).err();
     assert_eq!(spring(dec!(-0.5)), negative("rest_length", dec!(-0.5)));
     assert_eq!(
         spring(ratio(40_000, 1)),

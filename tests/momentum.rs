@@ -4,7 +4,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16};
-use fixstep::{Body, Point, Scalar, Spring, Step, TimeStep, Vec2, World};
+use fixstep::{Body, BodyId, Pairs, Point, Scalar, Spring, Step, TimeStep, Vec2, World};
 use support::*;
 
 const STEPS: u32 = 100_000;
@@ -78,16 +78,16 @@ fn pair<S: Format>(i: usize, masses: [f64; 2]) -> World<Probe<S>, 2> {
 }
 
 /// A spring that oscillates at about 5 rad/s whatever the masses, and keeps swinging for the run.
-fn spring<S: Format>(world: &World<Probe<S>, 2>, masses: [f64; 2]) -> Spring<S> {
+fn spring<S: Format>(
+    world: &World<Probe<S>, 2>,
+    masses: [f64; 2],
+) -> Pairs<Spring<S>, [[BodyId; 2]; 1]> {
     let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
     let ids = [world.ids()[0], world.ids()[1]];
-    Spring::new(
-        ids,
-        ratio(1.7),
-        ratio(25.0 * reduced),
-        ratio(1e-5 * reduced),
+    Pairs::new(
+        Spring::new(ratio(1.7), ratio(25.0 * reduced), ratio(1e-5 * reduced)).unwrap(),
+        [ids],
     )
-    .unwrap()
 }
 
 /// Runs a pair: the impulses of each step must sum to zero to the bit, and nothing else may act.

@@ -123,6 +123,24 @@ impl Scalar for Own {
         own(fourfold.isqrt().div_ceil(2) as i128)
     }
 
+    fn inverse_length(v: [Own; 2], softening: Own) -> Times {
+        let square = Own::dot(v, v) + i128::from(softening.0) * i128::from(softening.0);
+        let root = (square as u128).isqrt() as i128;
+        Times(if root == 0 {
+            0
+        } else {
+            divided(1 << (FACTOR + FRACTION), root) as i64
+        })
+    }
+
+    fn coef(self) -> Times {
+        Times(i64::from(self.0) << (FACTOR - FRACTION))
+    }
+
+    fn mass(inverse: Times) -> Times {
+        Times(divided(1 << (2 * FACTOR), inverse.0.into()) as i64)
+    }
+
     fn product(a: Times, b: Times) -> Times {
         let raw = divided(i128::from(a.0) * i128::from(b.0), 1 << FACTOR);
         Times(raw.clamp(i64::MIN.into(), i64::MAX.into()) as i64)

@@ -5,8 +5,8 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{
-    AllBodies, Anchor, Body, BodyId, Force, Gravity, LinearDrag, PerBody, Point, Scalar, Spring,
-    Step, Time, Vec2, World,
+    AllBodies, Anchor, Body, BodyId, Force, Gravity, LinearDrag, Pairs, PerBody, Point, Scalar,
+    Spring, Step, Time, Vec2, World,
 };
 use support::*;
 
@@ -77,7 +77,7 @@ fn drawn<S: Format>(places: [Vec2<S>; 2], stiffness: f64) -> [Point<S>; 2] {
     let mut world: World<_, 2> =
         world(places.map(|place| Point::new(place, Vec2::ZERO, 1).unwrap()));
     let ids = [world.ids()[0], world.ids()[1]];
-    let mut spring = Spring::new(ids, 0, ratio(stiffness), ratio(0.5)).unwrap();
+    let mut spring = Pairs::new(Spring::new(0, ratio(stiffness), ratio(0.5)).unwrap(), [ids]);
     world.step(
         &mut Scheme::SemiImplicitEuler.method(),
         &mut spring,
@@ -160,7 +160,10 @@ fn check_coincident<S: Format>() {
         let body = point::<S>([1.25, -3.5], [0.0; 2], 2.0);
         let mut world: World<_, 2> = world([body, body]);
         let ids = [world.ids()[0], world.ids()[1]];
-        let mut spring = Spring::new(ids, ratio(1.5), ratio(30.0), ratio(2.0)).unwrap();
+        let mut spring = Pairs::new(
+            Spring::new(ratio(1.5), ratio(30.0), ratio(2.0)).unwrap(),
+            [ids],
+        );
         let mut method = scheme.method();
         for _ in 0..100 {
             world.step(&mut method, &mut spring, &hz60());
@@ -204,7 +207,10 @@ fn check_floats<S: Format>() {
         fast.set_velocity(Vec2::new(S::MAX, S::ZERO)).unwrap();
         let mut world: World<_, 3> = world([fast, still, still]);
         let ids = [world.ids()[0], world.ids()[1]];
-        let (mut method, mut spring) = (scheme.method(), Spring::new(ids, 1, 1, 1).unwrap());
+        let (mut method, mut spring) = (
+            scheme.method(),
+            Pairs::new(Spring::new(1, 1, 1).unwrap(), [ids]),
+        );
         assert_eq!(world.out_of_range().count(), 0);
         for _ in 0..120 {
             world.step(&mut method, &mut spring, &hz60());
@@ -249,7 +255,10 @@ fn hostile<S: Scalar>(ids: [BodyId; 2], strength: f64) -> impl Force<Point<S>> {
             ratio(strength),
         )
         .unwrap(),
-        Spring::new(ids, 1, ratio(strength), ratio(strength)).unwrap(),
+        Pairs::new(
+            Spring::new(1, ratio(strength), ratio(strength)).unwrap(),
+            [ids],
+        ),
         PerBody(move |_: Time, body: &Point<S>| wild(body.velocity())),
         AllBodies::<_, S, 4>::new(move |_: Time, all: &[Point<S>], _| wild(all[0].position())),
     )
@@ -310,10 +319,10 @@ fn check_small<S: Format>() {
     let elsewhere: World<_, 3> = world([body; 3]);
     let gone = [elsewhere.ids()[1], elsewhere.ids()[2]];
     for scheme in SCHEMES {
-        let spring = || Spring::new(gone, 1, 5, 1).unwrap();
+        let spring = || Pairs::new(Spring::new(1, 5, 1).unwrap(), [gone]);
         let anchor = || Anchor::new(gone[0], Vec2::ZERO, 5, 1).unwrap();
         let mut none = World::<Point<S>, 0>::new();
-        assert_eq!(none.add(body).unwrap_err().0, body);
+        assert_eq!(none.add(body).unwrap_err().body, body);
         let mut one: World<_, 1> = world([body]);
         let (mut no_method, mut method) = (scheme.method(), scheme.method());
         for _ in 0..64 {

@@ -6,8 +6,8 @@ use fixstep::integrate::{drift, drift_half, kick};
 use fixstep::time::Now;
 use fixstep::{
     AllBodies, Anchor, Body, BodyId, ConstantAcceleration, Euler, Force, Gravity, LinearDrag,
-    Method, PerBody, Point, Scalar, SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2, Verlet,
-    World, dec, vec2,
+    Method, Pairs, PerBody, Point, Scalar, SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2,
+    Verlet, World, dec, vec2,
 };
 
 const N: usize = 3;
@@ -43,8 +43,11 @@ fn anchor<S: Scalar>(body: BodyId) -> Anchor<S> {
     Anchor::new(body, vec2(dec!(0.5), 1).unwrap(), 7, dec!(0.4)).unwrap()
 }
 
-fn spring<S: Scalar>(bodies: [BodyId; 2]) -> Spring<S> {
-    Spring::new(bodies, dec!(1.2), dec!(5), dec!(0.6)).unwrap()
+fn spring<S: Scalar>(bodies: [BodyId; 2]) -> Pairs<Spring<S>, [[BodyId; 2]; 1]> {
+    Pairs::new(
+        Spring::new(dec!(1.2), dec!(5), dec!(0.6)).unwrap(),
+        [bodies],
+    )
 }
 
 /// Pushes outwards in every other step; which ones tells the start of a step from its middle.

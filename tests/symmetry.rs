@@ -5,7 +5,7 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16};
 use fixstep::{
-    AllBodies, Anchor, Body, BodyId, DyadicStep, Force, Gravity, LinearDrag, PerBody, Point,
+    AllBodies, Anchor, Body, BodyId, DyadicStep, Force, Gravity, LinearDrag, Pairs, PerBody, Point,
     Scalar, Spring, Step, Time, TimeStep, Vec2, World,
 };
 use support::*;
@@ -75,9 +75,18 @@ fn forces<S: Scalar>(change: Change<S>, ids: [BodyId; 3]) -> impl Force<Point<S>
     let [a, b, c] = ids;
     let hook = change.place(vector(0.37, 1.21));
     let springs = [
-        Spring::new([a, b], ratio(2.3), ratio(7.1), ratio(0.9)).unwrap(),
-        Spring::new([c, b], ratio(1.1), ratio(5.3), ratio(1.3)).unwrap(),
-        Spring::new([c, a], ratio(1.9), ratio(3.7), ratio(0.7)).unwrap(),
+        Pairs::new(
+            Spring::new(ratio(2.3), ratio(7.1), ratio(0.9)).unwrap(),
+            [[a, b]],
+        ),
+        Pairs::new(
+            Spring::new(ratio(1.1), ratio(5.3), ratio(1.3)).unwrap(),
+            [[c, b]],
+        ),
+        Pairs::new(
+            Spring::new(ratio(1.9), ratio(3.7), ratio(0.7)).unwrap(),
+            [[c, a]],
+        ),
     ];
     (
         Gravity::new(change.direction(vector(1.13, -9.81))),

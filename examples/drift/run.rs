@@ -1,8 +1,8 @@
 //! One run: a scene through [`World::step`] with one method and one scalar.
 
 use fixstep::{
-    Anchor, Body, ConstantAcceleration, Error, Euler, Force, Gravity, LinearDrag, Method, Point,
-    Ratio, Scalar, SemiImplicitEuler, Spring, Step, Vec2, Verlet, World,
+    Anchor, Body, ConstantAcceleration, Error, Euler, Force, Gravity, LinearDrag, Method, Pairs,
+    Point, Ratio, Scalar, SemiImplicitEuler, Spring, Step, Vec2, Verlet, World,
 };
 
 use crate::cli::MethodName;
@@ -76,7 +76,7 @@ fn with_method<S: Scalar, M: Method<Point<S>, ROOM>>(
         }
         Law::Spring { k, rest } => {
             let ends = [world.ids()[0], world.ids()[1]];
-            let spring = Spring::new(ends, real(rest)?, real(k)?, 0)?;
+            let spring = Pairs::new(Spring::new(real(rest)?, real(k)?, 0)?, [ends]);
             with_forces(plan, world, method, spring)
         }
     }

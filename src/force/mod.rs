@@ -5,16 +5,20 @@
 //! | [`Gravity`] | every body, from itself | one addition an axis |
 //! | [`GravityY`] | every body, from itself | one addition |
 //! | [`LinearDrag`] | every body, from itself | a product and one more an axis |
+//! | [`QuadraticDrag`] | every body, from itself | a square root, two products and one more an axis |
 //! | [`PerBody`] | every body, from itself | your function, a product and one more an axis |
+//! | [`Push`] | one body | a product and one more an axis |
 //! | [`Anchor`] | one body | two products and two more an axis |
 //! | [`Spring`] | two bodies | a square root, two or three divisions |
+//! | [`Pull`] | two bodies | a square root, three divisions, nine products |
 //! | [`AllBodies`] | every body, from all | your function, 8 bytes a body in the force |
 //!
-//! A tuple of forces is a force, and so is an array, a `heapless::Vec` or an `Option` of one. What is
-//! not named is not linked.
+//! [`Pairs`] and [`AllPairs`] say between which bodies a spring or a pull acts. A tuple of forces is
+//! a force, and so is an array, a `heapless::Vec` or an `Option` of one; a [`Window`] bounds one in
+//! time. What is not named is not linked.
 //!
 //! A force on one body multiplies by `h / m` at once and rounds the change of velocity. The impulse
-//! between two bodies is a scalar itself, in kg m/s: with masses far from 1 kg its unit is coarse for
+//! of a spring between two bodies is a scalar itself, in kg m/s: with masses far from 1 kg its unit is coarse for
 //! the light body and its range short for the heavy one.
 //!
 //! [`field`](Force::field) forces need only the body itself: they run inside the loop that moves
@@ -27,9 +31,14 @@ mod anchor;
 mod drag;
 mod gravity;
 mod list;
+mod pairs;
 mod per_body;
 mod per_step;
+mod pull;
+mod push;
+mod quadratic_drag;
 mod spring;
+mod window;
 
 use crate::body::Body;
 use crate::id::{self, BodyId};
@@ -40,9 +49,14 @@ pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
 pub use drag::LinearDrag;
 pub use gravity::{Gravity, GravityY};
+pub use pairs::{AllPairs, PairForce, Pairs};
 pub use per_body::PerBody;
 pub use per_step::{PerStep, coefficient};
+pub use pull::Pull;
+pub use push::Push;
+pub use quadratic_drag::QuadraticDrag;
 pub use spring::Spring;
+pub use window::Window;
 
 /// Bodies to read and the same bodies to push, in the order of their ids.
 ///
@@ -97,6 +111,12 @@ impl<'a, B: Body> Frame<'a, B> {
     #[inline]
     pub fn live_at(&mut self, index: usize) -> Option<&mut B> {
         self.live.get_mut(index)
+    }
+
+    /// The two bodies to push at those places; `None` if they are one.
+    #[inline]
+    pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
+        self.live.get_disjoint_mut([i, j]).ok()
     }
 }
 

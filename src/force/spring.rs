@@ -11,19 +11,26 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Frame, PerStep, coefficient};
-use crate::id::{self, BodyId};
+use crate::force::{PairForce, PerStep, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::step::TimeStep;
 use crate::time::Now;
 use crate::vec2::Vec2;
 
-/// Draws two bodies to a distance and damps their motion along the line between them. Does
-/// nothing once one of them is gone.
+/// Draws two bodies to a distance and damps their motion along the line between them.
+/// [`Pairs`](crate::Pairs) says which.
+///
+/// ```
+/// use fixstep::{dec, vec2, Pairs, Point, Spring, World};
+/// let mut world = World::<Point<f32>, 2>::new();
+/// let a = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?).unwrap();
+/// let b = world.add(Point::new(vec2(3, 0)?, vec2(0, 0)?, 2)?).unwrap();
+/// let spring = Pairs::new(Spring::<f32>::new(2, 40, dec!(0.5))?, [[a, b]]);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Spring<S: Scalar> {
-    bodies: [BodyId; 2],
     rest_length: S,
     stiffness: S::Coef,
     damping: S::Coef,
@@ -31,11 +38,10 @@ pub struct Spring<S: Scalar> {
 }
 
 impl<S: Scalar> Spring<S> {
-    /// Ties two bodies with `rest_length` (m), `stiffness` (N/m) and `damping` (kg/s), none
-    /// negative. Refuses values that the scalar or its coefficients cannot hold.
+    /// `rest_length` in m, `stiffness` in N/m and `damping` in kg/s, none negative. Refuses values
+    /// that the scalar or its coefficients cannot hold.
     #[inline]
     pub fn new(
-        bodies: [BodyId; 2],
         rest_length: impl Into<Ratio>,
         stiffness: impl Into<Ratio>,
         damping: impl Into<Ratio>,
@@ -48,7 +54,6 @@ impl<S: Scalar> Spring<S> {
         let stiffness = coefficient::<S>("stiffness", stiffness.into())?;
         let damping = coefficient::<S>("damping", damping.into())?;
         Ok(Spring {
-            bodies,
             rest_length,
             stiffness,
             damping,
@@ -74,30 +79,17 @@ impl<S: Scalar> Spring<S> {
     }
 }
 
-impl<B: Body> Force<B> for Spring<B::S> {
-    const COUPLES: bool = true;
-
+impl<B: Body> PairForce<B> for Spring<B::S> {
     #[inline]
-    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
-        let [first, second] = self.bodies.map(|id| frame.find(id));
-        let (Some((i, first)), Some((j, second))) = (first, second) else {
-            return;
-        };
-        let impulse = self.impulse(&now.step, &first, &second);
-        if let Some(live) = frame.live_at(i) {
-            live.push(impulse);
-        }
-        if let Some(live) = frame.live_at(j) {
-            live.push(-impulse);
-        }
+    fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]) {
+        let impulse = self.impulse(&now.step, seen[0], seen[1]);
+        let [first, second] = live;
+        first.push(impulse);
+        second.push(-impulse);
     }
 
-    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
-        let find = |id| id::position(ids, id).and_then(|i| bodies.get(i));
-        let [Some(first), Some(second)] = self.bodies.map(find) else {
-            return 0.0;
-        };
-        let (a, b) = (first.position().to_f64(), second.position().to_f64());
+    fn potential(&self, bodies: [&B; 2]) -> f64 {
+        let [a, b] = bodies.map(|body| body.position().to_f64());
         let stretch = (b - a).length() - self.rest_length.to_f64();
         0.5 * self.stiffness.to_f64() * stretch * stretch
     }

@@ -10,12 +10,14 @@
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
-use super::{Method, copy, drift_half, each};
+use super::{Method, copy, drift_half, each, parabola};
+use crate::between::Between;
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
+use crate::vec2::Vec2;
 
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]
@@ -65,5 +67,10 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
             forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
             drift_half(bodies, &now);
         }
+    }
+
+    #[inline]
+    fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+        parabola(part, before, after)
     }
 }

@@ -16,11 +16,13 @@ mod euler;
 mod semi_implicit;
 mod verlet;
 
+use crate::between::Between;
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
+use crate::vec2::Vec2;
 
 pub use constant_acceleration::ConstantAcceleration;
 pub use euler::Euler;
@@ -38,6 +40,20 @@ pub trait Method<B: Body, const N: usize> {
         step: &H,
         tick: u64,
     );
+
+    /// Where a body was at a part of the step from `before` to `after`: on the straight line, for a
+    /// method whose bodies keep one velocity through a step.
+    #[inline]
+    fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+        part.chord(before.position(), after.position())
+    }
+}
+
+/// The path of a method with a constant acceleration in each step: a parabola.
+#[inline]
+fn parabola<B: Body>(part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+    let change = after.velocity() - before.velocity();
+    part.chord(before.position(), after.position()) + part.bow(change)
 }
 
 /// Stage: every force changes velocities; positions stay.

@@ -15,12 +15,14 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, drift_half, each};
+use super::{Method, drift_half, each, parabola};
+use crate::between::Between;
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
+use crate::vec2::Vec2;
 
 /// Verlet, drift-kick-drift: the default for bodies that touch nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,5 +52,10 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
             forces.field(&now, &seen, body);
             body.drift_half(&now.step);
         });
+    }
+
+    #[inline]
+    fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+        parabola(part, before, after)
     }
 }

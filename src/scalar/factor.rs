@@ -36,7 +36,7 @@ pub struct Span<R> {
 
 /// One over a mass, in 32 bits between `2^-11` and `2^21` kg, packed in one `R`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct InvMass<R>(R);
+pub struct InvMass<R>(pub(super) R);
 
 /// What a constant rate adds in one step: `whole + unit * fraction / 2^32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +77,29 @@ impl<R: Raw> Coef<R> {
         (1..=Self::MAX_SHIFT)
             .contains(&shift)
             .then_some(Coef { mantissa, shift })
+    }
+
+    /// `value / 2^shift`; the shift lies within the range of a coefficient's.
+    #[inline]
+    pub(super) fn of_raw(value: R, shift: u32) -> Coef<R> {
+        Coef {
+            mantissa: value,
+            shift,
+        }
+    }
+
+    /// `1 / sqrt(x² + y² + s²)` of values with `fraction` fractional bits; zero for zero, and as
+    /// large as a coefficient can be where it would be larger.
+    #[inline]
+    pub(super) fn inverse_length(v: [R; 2], s: R, fraction: u32) -> Coef<R> {
+        let (mantissa, up) = R::inverse_length(v, s);
+        match (2 * R::BITS - 2).checked_sub(up + fraction) {
+            None | Some(0) => Coef {
+                mantissa: mantissa.limit(),
+                shift: 1,
+            },
+            Some(shift) => Coef { mantissa, shift },
+        }
     }
 
     #[inline]
@@ -182,6 +205,16 @@ impl<R: Raw> InvMass<R> {
     pub(super) fn of(self, value: R) -> R {
         let (mantissa, shift) = self.0.unpacked();
         R::rounded(value.product(mantissa), Self::BASE + shift)
+    }
+
+    /// `1 / self`: exact for powers of two.
+    #[inline]
+    pub(super) fn mass(self) -> Coef<R> {
+        let (mantissa, shift) = self.0.unpacked();
+        Coef {
+            mantissa: mantissa.reciprocal(),
+            shift: 2 * R::BITS - 4 - Self::BASE - shift,
+        }
     }
 
     pub(super) fn to_f64(self) -> f64 {

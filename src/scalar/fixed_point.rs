@@ -126,6 +126,21 @@ macro_rules! fixed_scalar {
             }
 
             #[inline]
+            fn inverse_length(v: [Self; 2], softening: Self) -> Coef<$raw> {
+                Coef::inverse_length(v.map(Self::to_bits), softening.to_bits(), F::U32)
+            }
+
+            #[inline]
+            fn coef(self) -> Coef<$raw> {
+                Coef::of_raw(self.to_bits(), F::U32)
+            }
+
+            #[inline]
+            fn mass(inverse: InvMass<$raw>) -> Coef<$raw> {
+                inverse.mass()
+            }
+
+            #[inline]
             fn product(a: Coef<$raw>, b: Coef<$raw>) -> Coef<$raw> {
                 a.times(b)
             }

@@ -110,6 +110,26 @@ macro_rules! float_scalar {
             }
 
             #[inline]
+            fn inverse_length(v: [$float; 2], softening: $float) -> $float {
+                let square = v[0] * v[0] + v[1] * v[1] + softening * softening;
+                if square == 0.0 {
+                    0.0
+                } else {
+                    1.0 / $sqrt(square)
+                }
+            }
+
+            #[inline]
+            fn coef(self) -> $float {
+                self
+            }
+
+            #[inline]
+            fn mass(inverse: $float) -> $float {
+                1.0 / inverse
+            }
+
+            #[inline]
             fn product(a: $float, b: $float) -> $float {
                 a * b
             }

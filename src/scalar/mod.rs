@@ -19,13 +19,16 @@
 mod factor;
 mod fixed_point;
 mod float;
+mod high_product;
 mod raw;
+mod stored;
 
 use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
 pub use factor::{Coef, Gain, InvMass, Span};
+pub use stored::Stored;
 
 /// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
@@ -110,6 +113,16 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// `sqrt(v.x² + v.y²)`. Fixed point forms the squares in the wide type: nearest, saturating.
     /// Floats form them in their own: infinite from about 1e19 in `f32`.
     fn length(v: [Self; 2]) -> Self;
+
+    /// `1 / sqrt(v.x² + v.y² + softening²)`, zero where all three are zero. Fixed point forms the
+    /// squares in the wide type and keeps 30 bits of the result, however small it is.
+    fn inverse_length(v: [Self; 2], softening: Self) -> Self::Coef;
+
+    /// The same number as a coefficient, exactly: a factor that changes with the state.
+    fn coef(self) -> Self::Coef;
+
+    /// The mass, kg, nearest to one over its inverse.
+    fn mass(inverse: Self::InvMass) -> Self::Coef;
 
     /// The product of two coefficients, saturating.
     fn product(a: Self::Coef, b: Self::Coef) -> Self::Coef;

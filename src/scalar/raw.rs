@@ -3,6 +3,8 @@
 use core::fmt::Debug;
 use core::num::NonZero;
 
+use super::high_product::{high_product_i32, high_product_i64};
+
 /// A storage integer with a type twice as wide.
 pub trait Raw: Copy + Debug + PartialEq + 'static {
     /// Holds any product of two.
@@ -41,6 +43,13 @@ pub trait Raw: Copy + Debug + PartialEq + 'static {
 
     /// The integer nearest to the square root of `x² + y²`, clamped.
     fn length(v: [Self; 2]) -> Self;
+
+    /// `(m, up)` with `1 / sqrt(x² + y² + s²) = m / 2^(2 BITS - 2 - up)`, m of `BITS - 1` bits and
+    /// off by less than two units; `(0, 0)` where all are zero.
+    fn inverse_length(v: [Self; 2], s: Self) -> (Self, u32);
+
+    /// `2^(2 BITS - 4) / self`, nearest, for a self of `BITS - 1` bits; zero for zero.
+    fn reciprocal(self) -> Self;
 
     /// `num / 2^shift * self`, nearest, ties away, clamped; `num <= 2^30`, `1 <= shift <= 30`.
     fn dyadic(self, num: u32, shift: u32) -> Self;
@@ -137,6 +146,29 @@ macro_rules! raw {
                 (root + up).min($raw::MAX as $unsigned_wide) as $raw
             }
 
+            // The sum of three squares has room in the unsigned type. Shifted up by an even number
+            // of bits, its root has as many bits as `$unsigned`, its inverse one less.
+            #[inline]
+            fn inverse_length(v: [$raw; 2], s: $raw) -> ($raw, u32) {
+                let [x, y, s] = [v[0], v[1], s].map(|a| a.product(a) as $unsigned_wide);
+                let square = x.wrapping_add(y).wrapping_add(s);
+                let up = square.leading_zeros() & !1;
+                let root = (square << (up & ($wide::BITS - 1))).isqrt();
+                match NonZero::new(root) {
+                    None => (0, 0),
+                    Some(root) => ((($wide::MAX as $unsigned_wide >> 1) / root) as $raw, up / 2),
+                }
+            }
+
+            #[inline]
+            fn reciprocal(self) -> $raw {
+                let Some(divisor) = NonZero::new(self.unsigned_abs() as $unsigned_wide) else {
+                    return 0;
+                };
+                let one: $unsigned_wide = 1 << ($wide::BITS - 4);
+                ((one + divisor.get() / 2) / divisor) as $raw
+            }
+
             // As in `rounded`. A small numerator needs no wide product: with v = high 2^H + low,
             // the floors of the two parts add up, and half a unit is a multiple of 2^H. A shift
             // alone leaves the range only within half a unit of the top, where the result is the
@@ -198,78 +230,3 @@ macro_rules! raw {
 
 raw!(i32, u32, i64, u64, high_product_i32);
 raw!(i64, u64, i128, u128, high_product_i64);
-
-/// The high word of a product, on cores with a long multiply.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-fn high_product_i32(a: i32, b: i32) -> i32 {
-    (a.product(b) >> 32) as i32
-}
-
-/// The same word from 16-bit halves, for ARM cores whose multiplier gives 32 bits (Cortex-M0+;
-/// they are told by having no atomics). The runtime's multiply makes 64 bits.
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-#[inline(always)]
-fn high_product_i32(a: i32, b: i32) -> i32 {
-    high_product_halves(a, b)
-}
-
-#[inline(always)]
-fn high_product_i64(a: i64, b: i64) -> i64 {
-    (a.product(b) >> 64) as i64
-}
-
-/// Schoolbook product of 16-bit halves. No sum wraps: a product of a signed and an unsigned half
-/// lies between `-2^31 + 2^15` and `(2^15 - 1)(2^16 - 1)`, and what is added is below `2^16`.
-#[cfg_attr(
-    not(all(target_arch = "arm", not(target_has_atomic = "32"))),
-    allow(dead_code)
-)]
-#[inline(always)]
-fn high_product_halves(a: i32, b: i32) -> i32 {
-    let (a_high, a_low) = (a >> 16, a & 0xFFFF);
-    let (b_high, b_low) = (b >> 16, b & 0xFFFF);
-    let low = ((a_low as u32).wrapping_mul(b_low as u32) >> 16) as i32;
-    let mixed = a_high.wrapping_mul(b_low).wrapping_add(low);
-    let other = b_high.wrapping_mul(a_low).wrapping_add(mixed & 0xFFFF);
-    let high = a_high.wrapping_mul(b_high);
-    high.wrapping_add(mixed >> 16).wrapping_add(other >> 16)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn halves_give_the_high_word() {
-        let corners = [
-            i32::MIN,
-            i32::MIN + 1,
-            -65_537,
-            -65_536,
-            -65_535,
-            -1,
-            0,
-            1,
-            65_535,
-            65_536,
-            i32::MAX,
-        ];
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 32) as i32
-        };
-        for _ in 0..1_000_000 {
-            let (a, b) = (random(), random());
-            assert_eq!(high_product_halves(a, b), (a.product(b) >> 32) as i32);
-        }
-        for a in corners {
-            for b in corners {
-                assert_eq!(high_product_halves(a, b), (a.product(b) >> 32) as i32);
-            }
-        }
-    }
-}

@@ -86,7 +86,7 @@ fn ids_and_ticks_count() {
     let before = world.state_hash();
 
     let mut renamed = world.clone();
-    renamed.remove(first);
+    renamed.remove(first).unwrap();
     renamed.add(rest).unwrap();
     assert_eq!(renamed.bodies(), world.bodies());
     assert_ne!(renamed.state_hash(), before);

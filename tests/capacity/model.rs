@@ -1,6 +1,6 @@
 //! A million random calls against a plain list of everything that was ever added.
 
-use fixstep::{Body, BodyId, Point, World, vec2};
+use fixstep::{Body, BodyId, Point, Stale, World, vec2};
 
 const ROOM: usize = 32;
 
@@ -40,13 +40,14 @@ impl Model {
     fn remove(&mut self, world: &mut World<Point<f64>, ROOM>, serial: usize) {
         let (id, name) = self.given[serial];
         let place = self.live.iter().position(|&live| live == serial);
-        assert_eq!(world.remove(id), place.map(|_| body(name)));
+        assert_eq!(world.remove(id), place.map(|_| body(name)).ok_or(Stale(id)));
         place.map(|place| self.live.remove(place));
     }
 
     fn look(&self, world: &mut World<Point<f64>, ROOM>, serial: usize) {
         let (id, name) = self.given[serial];
-        let expected = self.live.contains(&serial).then(|| body(name));
+        let live = self.live.contains(&serial);
+        let expected = live.then(|| body(name)).ok_or(Stale(id));
         assert_eq!(world.get(id).copied(), expected);
         assert_eq!(world.get_mut(id).copied(), expected);
     }

@@ -3,7 +3,7 @@
 use std::error::Error as _;
 
 use super::*;
-use fixstep::Full;
+use fixstep::Stale;
 
 #[test]
 fn ratios() {
@@ -99,6 +99,7 @@ fn messages_name_field_and_value_in_one_line() {
 #[test]
 fn messages_differ() {
     let (field, value) = ("mass", dec!(1));
+    let light = Point::new(Vec2::ZERO, Vec2::ZERO, 1).unwrap();
     let texts = [
         Error::NotPositive { field, value }.to_string(),
         Error::Negative { field, value }.to_string(),
@@ -106,7 +107,12 @@ fn messages_differ() {
         Error::RoundsToZero { field, value }.to_string(),
         Error::NotFinite { field }.to_string(),
         Error::NotANumber { field }.to_string(),
-        Full(()).to_string(),
+        World::<Point<f32>, 0>::new()
+            .add(light)
+            .unwrap_err()
+            .to_string(),
+        Stale(some_id()).to_string(),
+        Error::Empty { field }.to_string(),
     ];
     for (i, text) in texts.iter().enumerate() {
         assert!(!texts[..i].contains(text), "{text}");
@@ -119,5 +125,5 @@ fn a_full_world_is_an_error_with_the_body_inside() {
     let full = World::<_, 0>::new().add(point).unwrap_err();
     let error: &dyn std::error::Error = &full;
     assert!(!error.to_string().contains('\n'));
-    assert_eq!(full.0, point);
+    assert_eq!((full.body, full.capacity), (point, 0));
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use fixstep::scalar::Factor;
-use fixstep::{AllBodies, Anchor, BodyId, PerBody, Spring, Time};
+use fixstep::{AllBodies, Anchor, BodyId, Pairs, PerBody, Spring, Time};
 
 // 2 s after the start, at x = 3, m = 4: ((2 + 3) / 4, -v / 4) / 16
 #[test]
@@ -139,8 +139,8 @@ fn outcome<F: Force<Point<I16F16>>>(make: impl FnOnce([BodyId; 3]) -> F) -> (u64
     (world.state_hash(), world.potential_energy(&forces))
 }
 
-fn spring(bodies: [BodyId; 2]) -> Spring<I16F16> {
-    Spring::new(bodies, dec!(1.5), 7, dec!(0.5)).unwrap()
+fn spring(bodies: [BodyId; 2]) -> Pairs<Spring<I16F16>, [[BodyId; 2]; 1]> {
+    Pairs::new(Spring::new(dec!(1.5), 7, dec!(0.5)).unwrap(), [bodies])
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn forces_act_alike_in_any_container() {
 fn no_forces_are_a_force() {
     let nothing = outcome(|_| ());
     assert_eq!(
-        outcome(|_| heapless::Vec::<Spring<I16F16>, 4>::new()),
+        outcome(|_| heapless::Vec::<Pairs<Spring<I16F16>, [[BodyId; 2]; 1]>, 4>::new()),
         nothing
     );
     assert_eq!(outcome(|_| [(); 0]), nothing);

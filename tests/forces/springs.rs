@@ -1,12 +1,12 @@
 //! `Anchor` and `Spring`: one step from rest, energies, and names that went stale.
 
 use super::*;
-use fixstep::{Anchor, BodyId, Spring};
+use fixstep::{Anchor, BodyId, Pairs, Spring};
 
 /// The velocities after one step of a sixteenth of a second that does not move positions first.
 fn kicked<S: Scalar, const N: usize>(
     bodies: [Point<S>; N],
-    force: impl Fn([BodyId; N]) -> Spring<S>,
+    force: impl Fn([BodyId; N]) -> Pairs<Spring<S>, [[BodyId; 2]; 1]>,
 ) -> Vec<[f64; 2]> {
     let mut world = World::<Point<S>, N>::new();
     let ids = bodies.map(|body| world.add(body).unwrap());
@@ -56,20 +56,28 @@ fn an_anchor_pulls_and_brakes() {
 
 // 10 (5 - 2) / 16 along (3, 4) / 5 is (1.125, 1.5); 10 (5 - 7) / 16 is (-0.75, -1)
 fn stretched_and_compressed<S: Scalar>() {
-    let stretched = kicked(pair::<S>([0, 0]), |ids| Spring::new(ids, 2, 10, 0).unwrap());
+    let stretched = kicked(pair::<S>([0, 0]), |ids| {
+        Pairs::new(Spring::new(2, 10, 0).unwrap(), [ids])
+    });
     assert_eq!(stretched, [[1.125, 1.5], [-0.5625, -0.75]]);
-    let compressed = kicked(pair::<S>([0, 0]), |ids| Spring::new(ids, 7, 10, 0).unwrap());
+    let compressed = kicked(pair::<S>([0, 0]), |ids| {
+        Pairs::new(Spring::new(7, 10, 0).unwrap(), [ids])
+    });
     assert_eq!(compressed, [[-0.75, -1.0], [0.375, 0.5]]);
-    let relaxed = kicked(pair::<S>([0, 0]), |ids| Spring::new(ids, 5, 10, 3).unwrap());
+    let relaxed = kicked(pair::<S>([0, 0]), |ids| {
+        Pairs::new(Spring::new(5, 10, 3).unwrap(), [ids])
+    });
     assert_eq!(relaxed, [[0.0, 0.0], [0.0, 0.0]]);
 }
 
 // Only the part along the line is braked: (0, 5) has 4 m/s of it, 2 * 4 / 16 = 1/2; (4, -3) none.
 fn damped<S: Scalar>(unit: f64) {
-    let apart = kicked(pair::<S>([0, 5]), |ids| Spring::new(ids, 5, 10, 2).unwrap());
+    let apart = kicked(pair::<S>([0, 5]), |ids| {
+        Pairs::new(Spring::new(5, 10, 2).unwrap(), [ids])
+    });
     near(&apart, &[[0.3, 0.4], [-0.15, 4.8]], 2.0 * unit);
     let across = kicked(pair::<S>([4, -3]), |ids| {
-        Spring::new(ids, 5, 10, 2).unwrap()
+        Pairs::new(Spring::new(5, 10, 2).unwrap(), [ids])
     });
     near(&across, &[[0.0, 0.0], [4.0, -3.0]], 0.0);
 }
@@ -91,7 +99,7 @@ fn a_spring_takes_from_one_what_it_gives_to_the_other() {
     for x in 1..200 {
         let bodies = [point::<I16F16>([0, 0], [0, 0], 1), point([x, 7], [3, x], 1)];
         let v = kicked(bodies, |ids| {
-            Spring::new(ids, dec!(1.3), dec!(7.7), dec!(0.9)).unwrap()
+            Pairs::new(Spring::new(dec!(1.3), dec!(7.7), dec!(0.9)).unwrap(), [ids])
         });
         assert_eq!(v[0], [3.0 - v[1][0], x as f64 - v[1][1]]);
     }
@@ -101,10 +109,15 @@ fn a_spring_takes_from_one_what_it_gives_to_the_other() {
 fn a_spring_without_direction_waits() {
     let bodies = [point::<I16F16>([2, 2], [1, 0], 1), point([2, 2], [0, 1], 1)];
     assert_eq!(
-        kicked(bodies, |ids| Spring::new(ids, 3, 10, 1).unwrap()),
+        kicked(bodies, |ids| Pairs::new(
+            Spring::new(3, 10, 1).unwrap(),
+            [ids]
+        )),
         [[1.0, 0.0], [0.0, 1.0]]
     );
-    let itself = kicked([bodies[0]], |[id]| Spring::new([id, id], 3, 10, 1).unwrap());
+    let itself = kicked([bodies[0]], |[id]| {
+        Pairs::new(Spring::new(3, 10, 1).unwrap(), [[id, id]])
+    });
     assert_eq!(itself, [[1.0, 0.0]]);
 }
 
@@ -112,7 +125,7 @@ fn a_spring_without_direction_waits() {
 fn energy_of_a_spring() {
     let mut world = World::<Point<I16F16>, 2>::new();
     let [a, b] = pair([0, 0]).map(|body| world.add(body).unwrap());
-    let spring = |length| Spring::<I16F16>::new([a, b], length, 10, 1).unwrap();
+    let spring = |length| Pairs::new(Spring::<I16F16>::new(length, 10, 1).unwrap(), [[a, b]]);
     assert_eq!(world.potential_energy(&spring(2)), 45.0); // 10 * 3² / 2
     assert_eq!(world.potential_energy(&spring(7)), 20.0); // 10 * 2² / 2
     assert_eq!(world.potential_energy(&[spring(2), spring(7)]), 65.0);
@@ -127,7 +140,7 @@ fn bodies_hang_where_the_forces_cancel() {
     let mut forces = (
         Gravity::new(vec2(0, -8).unwrap()),
         Anchor::new(top, vec2(0, 0).unwrap(), 80, 20).unwrap(),
-        Spring::new([top, low], 1, 32, 10).unwrap(),
+        Pairs::new(Spring::new(1, 32, 10).unwrap(), [[top, low]]),
     );
     let step = DyadicStep::<I16F16, 1, 6>::new().unwrap();
     (0..4_000).for_each(|_| world.step(&mut Euler::<_, 2>::new(), &mut forces, &step));
@@ -144,10 +157,10 @@ fn forces_on_bodies_that_are_gone_do_nothing() {
     let [gone, stays] = pair([0, 0]).map(|body| world.add(body).unwrap());
     let mut forces = (
         Anchor::new(gone, vec2(9, 9).unwrap(), 8, 2).unwrap(),
-        Spring::new([gone, stays], 2, 10, 1).unwrap(),
-        Spring::new([stays, gone], 2, 10, 1).unwrap(),
+        Pairs::new(Spring::new(2, 10, 1).unwrap(), [[gone, stays]]),
+        Pairs::new(Spring::new(2, 10, 1).unwrap(), [[stays, gone]]),
     );
-    world.remove(gone);
+    world.remove(gone).unwrap();
     world.add(point([7, 7], [0, 0], 1)).unwrap();
     assert_eq!(world.potential_energy(&forces), 0.0);
     for _ in 0..3 {

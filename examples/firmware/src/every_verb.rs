@@ -8,8 +8,8 @@ use fixstep::integrate::{drift, drift_half, kick};
 use fixstep::time::Now;
 use fixstep::{
     AllBodies, Anchor, Body, ConstantAcceleration, DyadicStep, Error, Euler, Gravity, GravityY,
-    LinearDrag, Method, PerBody, Point, Scalar, SemiImplicitEuler, Spring, Step, Time, TimeStep,
-    Vec2, Verlet, World, dec, vec2,
+    LinearDrag, Method, Pairs, PerBody, Point, Scalar, SemiImplicitEuler, Spring, Step, Time,
+    TimeStep, Vec2, Verlet, World, dec, vec2,
 };
 const N: usize = 4;
 
@@ -44,18 +44,18 @@ fn scene<S: Scalar>(
             Anchor::new(a, vec2(1, 1)?, 20, 1)?,
             Anchor::new(c, vec2(0, 1)?, 30, 0)?,
         ],
-        Spring::new([a, b], 2, black_box(dec!(9.5)), dec!(0.5))?,
+        Pairs::new(Spring::new(2, black_box(dec!(9.5)), dec!(0.5))?, [[a, b]]),
         (PerBody(wind), AllBodies::<_, S, N>::new(swarm)),
     );
     for _ in 0..100 {
         world.step(method, &mut forces, step);
     }
-    if let Some(body) = world.get_mut(b) {
+    if let Ok(body) = world.get_mut(b) {
         body.push(vec2(1, 2)?);
         body.teleport(vec2(2, 2)?)?;
         body.set_velocity(vec2(0, 0)?)?;
     }
-    world.remove(c);
+    let _ = world.remove(c);
     world.retain(|id, body| id != a || body.is_inside());
     for (_, body) in world.iter_mut() {
         body.kick(vec2(0, 1)?);

@@ -1,0 +1,113 @@
+//! How many steps a frame is due: elapsed counts of a clock in, whole steps and a rest out.
+//!
+//! ```text
+//! one count is  a / b  of a step,  a and b without common divisor
+//! rest + counts a = steps b + rest'        0 <= rest' < b
+//! ```
+//!
+//! All of it in integers, so that after any number of frames the steps are `floor(elapsed / h)`: no
+//! clock drifts against another. A frame that took too long makes no more than `most` steps; the
+//! rest of its whole steps is dropped and reported, or each frame would take longer than the one
+//! before. Source of the scheme: Fiedler, "Fix Your Timestep!" (2004), who keeps it in floats.
+
+use core::num::NonZero;
+
+use crate::error::Error;
+use crate::ratio::Ratio;
+
+/// Turns the counts of a clock (microseconds, timer ticks, frames of a display) into steps.
+///
+/// ```
+/// use fixstep::{Accumulator, Step, TimeStep};
+/// let step = Step::<f32>::hz(60)?;
+/// let mut clock = Accumulator::new(1_000_000, TimeStep::seconds(&step), 4)?; // microseconds
+/// assert_eq!(clock.advance(16_000).steps, 0); // 16.67 ms make a step
+/// assert_eq!(clock.advance(18_000).steps, 2);
+/// assert_eq!(clock.fraction(), fixstep::dec!(0.04)); // 34 ms are 2.04 steps
+/// let stall = clock.advance(3_600_000_000);
+/// assert_eq!((stall.steps, stall.dropped), (4, 215_996)); // an hour is 216,000
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Accumulator {
+    per_count: u64,
+    per_step: NonZero<u64>,
+    rest: u64,
+    most: u32,
+}
+
+/// What a frame is due.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+#[must_use]
+pub struct Due {
+    /// Steps to make now.
+    pub steps: u32,
+    /// Steps that are never made: time the scene has lost. Zero unless the frame was too long.
+    pub dropped: u64,
+}
+
+impl Accumulator {
+    /// For a clock of so many counts per second and steps of `seconds`; a frame makes at most `most`.
+    ///
+    /// Refuses a clock that stands still, steps of no length, no steps at all, and a clock and a
+    /// step whose common unit is below `2^-62` of the step.
+    pub fn new(
+        counts_per_second: u32,
+        seconds: impl Into<Ratio>,
+        most: u32,
+    ) -> Result<Self, Error> {
+        let positive = |field, value: Ratio| match value.num() {
+            ..=0 => Err(Error::NotPositive { field, value }),
+            _ => Ok(value),
+        };
+        positive("counts_per_second", Ratio::whole(counts_per_second))?;
+        positive("most", Ratio::whole(most))?;
+        let (field, value) = ("seconds", positive("seconds", seconds.into())?);
+        let error = Error::OutOfRange { field, value };
+        // One count is den / (num counts_per_second) of a step.
+        let step = value.num() as u128 * counts_per_second as u128;
+        let unit = Ratio::reduced(value.den() as u128, step).ok_or(error)?;
+        Ok(Accumulator {
+            per_count: unit.num() as u64,
+            per_step: NonZero::new(unit.den()).ok_or(error)?,
+            rest: 0,
+            most,
+        })
+    }
+
+    /// The steps due after `counts` more.
+    #[inline]
+    pub fn advance(&mut self, counts: u64) -> Due {
+        let more = counts.checked_mul(self.per_count);
+        let (due, rest) = match more.and_then(|more| more.checked_add(self.rest)) {
+            Some(total) => (total / self.per_step, total % self.per_step),
+            None => self.after_a_long_time(counts),
+        };
+        self.rest = rest;
+        let steps = due.min(self.most as u64);
+        Due {
+            steps: steps as u32,
+            dropped: due - steps,
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
+        let total = counts as u128 * self.per_count as u128 + self.rest as u128;
+        let per_step = NonZero::<u128>::from(self.per_step);
+        let due = u64::try_from(total / per_step).unwrap_or(u64::MAX);
+        (due, (total % per_step) as u64)
+    }
+
+    /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
+    pub fn fraction(&self) -> Ratio {
+        Ratio::fraction(self.rest, self.per_step)
+    }
+
+    /// Forgets the part of a step that has passed: after a pause, or a new scene.
+    pub fn reset(&mut self) {
+        self.rest = 0;
+    }
+}

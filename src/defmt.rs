@@ -1,0 +1,124 @@
+//! Logging with defmt: what a firmware prints while it is being made.
+
+use defmt::{Format, Formatter, write};
+
+use crate::accumulator::Due;
+use crate::body::{Body, Point};
+use crate::error::{Error, Full};
+use crate::id::{BodyId, Stale};
+use crate::ratio::Ratio;
+use crate::scalar::Scalar;
+use crate::snapshot::SnapshotError;
+use crate::vec2::Vec2;
+use crate::world::World;
+
+impl<S: Format> Format for Vec2<S> {
+    fn format(&self, f: Formatter) {
+        write!(f, "({}, {})", self.x, self.y);
+    }
+}
+
+impl Format for BodyId {
+    fn format(&self, f: Formatter) {
+        write!(f, "body {=u32}", self.serial());
+    }
+}
+
+impl<S: Scalar + Format> Format for Point<S> {
+    fn format(&self, f: Formatter) {
+        write!(f, "at {} with {}", self.position(), self.velocity());
+    }
+}
+
+impl<B: Body + Format, const N: usize> Format for World<B, N> {
+    fn format(&self, f: Formatter) {
+        write!(f, "tick {=u64}: {=[?]}", self.tick(), self.bodies());
+    }
+}
+
+impl Format for Ratio {
+    fn format(&self, f: Formatter) {
+        match self.den() {
+            1 => write!(f, "{=i64}", self.num()),
+            den => write!(f, "{=i64}/{=u64}", self.num(), den),
+        }
+    }
+}
+
+impl Format for Due {
+    fn format(&self, f: Formatter) {
+        write!(f, "{=u32} steps, {=u64} dropped", self.steps, self.dropped);
+    }
+}
+
+impl Format for Error {
+    fn format(&self, f: Formatter) {
+        match *self {
+            Error::Empty { field } => write!(f, "{=str} must not be empty", field),
+            Error::NotPositive { field, value } => {
+                write!(f, "{=str} must be greater than zero, not {}", field, value)
+            }
+            Error::Negative { field, value } => {
+                write!(f, "{=str} must not be negative, not {}", field, value)
+            }
+            Error::OutOfRange { field, value } => {
+                write!(f, "{=str} {} is out of range", field, value)
+            }
+            Error::RoundsToZero { field, value } => {
+                write!(
+                    f,
+                    "{=str} {} is too small to be told from zero",
+                    field, value
+                )
+            }
+            Error::NotFinite { field } => {
+                write!(f, "{=str} is NaN, infinite or too large", field)
+            }
+            Error::NotANumber { field } => {
+                write!(f, "{=str} is not a number, or has too many digits", field)
+            }
+        }
+    }
+}
+
+impl<B> Format for Full<B> {
+    fn format(&self, f: Formatter) {
+        write!(
+            f,
+            "a world for {=usize} bodies has no room for another",
+            self.capacity
+        );
+    }
+}
+
+impl Format for Stale {
+    fn format(&self, f: Formatter) {
+        write!(f, "body {=u32} is not in the world", self.0.serial());
+    }
+}
+
+impl Format for SnapshotError {
+    fn format(&self, f: Formatter) {
+        use SnapshotError::*;
+        match *self {
+            Length { needed, given } => {
+                write!(
+                    f,
+                    "a snapshot of {=usize} bytes does not fit {=usize}",
+                    needed, given
+                )
+            }
+            NotASnapshot => write!(f, "these bytes are no snapshot"),
+            Version(version) => write!(f, "snapshot has version {=u16}", version),
+            Checksum => write!(f, "snapshot was damaged: its checksum is wrong"),
+            Kind(kind) => write!(f, "snapshot has bodies of another kind: {=u16}", kind),
+            Scalar(format) => write!(f, "snapshot has another number type: {=u32:#010x}", format),
+            Full { bodies, capacity } => write!(
+                f,
+                "snapshot has {=u32} bodies, the world holds {=usize}",
+                bodies, capacity
+            ),
+            State => write!(f, "snapshot has a state that no world can have"),
+        }
+    }
+}

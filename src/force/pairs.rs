@@ -1,0 +1,138 @@
+//! Who a force between two bodies acts on: a list of pairs, or all there are.
+//!
+//! *What* acts is a [`PairForce`], of which one serves any number of pairs; the list belongs to the
+//! scene and takes 8 bytes a pair.
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::{self, BodyId};
+use crate::step::TimeStep;
+use crate::time::Now;
+
+/// Something that acts between two bodies.
+pub trait PairForce<B: Body> {
+    /// Work that is the same for every pair; called once before the others, for each evaluation.
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let _ = now;
+    }
+
+    /// Acts on two bodies, `live`, from their states `seen`. What one of them gains in momentum
+    /// the other is to lose.
+    fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]);
+
+    /// Potential energy of two bodies, J; zero for a force that has none.
+    fn potential(&self, bodies: [&B; 2]) -> f64 {
+        let _ = bodies;
+        0.0
+    }
+}
+
+/// A force between the bodies of each pair in a list: an array, or a `heapless::Vec` to which the
+/// scene adds. A pair of which one is gone, or which names a body twice, does nothing.
+///
+/// ```
+/// use fixstep::{heapless, vec2, BodyId, Pairs, Point, Spring, World};
+/// let mut world = World::<Point<f32>, 8>::new();
+/// let mut chain = Pairs::new(Spring::<f32>::new(1, 40, 2)?, heapless::Vec::<[BodyId; 2], 7>::new());
+/// let mut last = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?).unwrap();
+/// for x in 1..8 {
+///     let next = world.add(Point::new(vec2(x, 0)?, vec2(0, 0)?, 1)?).unwrap();
+///     chain.pairs.push([last, next]).unwrap(); // a full list gives the pair back
+///     last = next;
+/// }
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pairs<L, P> {
+    /// What acts.
+    pub law: L,
+    /// On whom.
+    pub pairs: P,
+}
+
+impl<L, P> Pairs<L, P> {
+    /// The same `law` for all `pairs`, in their order.
+    #[inline]
+    pub const fn new(law: L, pairs: P) -> Pairs<L, P> {
+        Pairs { law, pairs }
+    }
+}
+
+impl<B: Body, L: PairForce<B>, P: AsRef<[[BodyId; 2]]>> Force<B> for Pairs<L, P> {
+    const COUPLES: bool = true;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        self.law.prepare(now);
+    }
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        for pair in self.pairs.as_ref() {
+            let [first, second] = pair.map(|id| frame.find(id));
+            let (Some((i, first)), Some((j, second))) = (first, second) else {
+                continue;
+            };
+            if let Some(live) = frame.live_pair(i, j) {
+                self.law.act(now, [&first, &second], live);
+            }
+        }
+    }
+
+    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+        let find = |id| id::position(ids, id).and_then(|i| bodies.get(i));
+        let of = |pair: &[BodyId; 2]| match pair.map(find) {
+            [Some(first), Some(second)] if pair[0] != pair[1] => {
+                self.law.potential([first, second])
+            }
+            _ => 0.0,
+        };
+        self.pairs.as_ref().iter().map(of).sum()
+    }
+}
+
+/// A force between every two bodies of the world: `n (n - 1) / 2` pairs, in the order of ids.
+///
+/// ```
+/// use fixstep::{dec, AllPairs, Pull};
+/// let gravitation = AllPairs(Pull::<f32>::new(1, dec!(0.05))?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct AllPairs<L>(
+    /// What acts.
+    pub L,
+);
+
+impl<B: Body, L: PairForce<B>> Force<B> for AllPairs<L> {
+    const COUPLES: bool = true;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        self.0.prepare(now);
+    }
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        for j in 1..frame.bodies().len() {
+            for i in 0..j {
+                let seen = frame.bodies();
+                let (Some(&first), Some(&second)) = (seen.get(i), seen.get(j)) else {
+                    return;
+                };
+                if let Some(live) = frame.live_pair(i, j) {
+                    self.0.act(now, [&first, &second], live);
+                }
+            }
+        }
+    }
+
+    fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
+        let with_others = |(i, first): (usize, &B)| -> f64 {
+            let others = bodies.iter().skip(i + 1);
+            others.map(|second| self.0.potential([first, second])).sum()
+        };
+        bodies.iter().enumerate().map(with_others).sum()
+    }
+}

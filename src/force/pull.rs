@@ -1,0 +1,94 @@
+//! Newton's gravitation between two bodies, softened.
+//!
+//! ```text
+//! d = x2 - x1,  s² = d² + ε²
+//! dv1 =  h G m2 d / s³
+//! dv2 = -h G m1 d / s³
+//! ```
+//!
+//! Each body has its own coefficient and one rounding, so a grain is drawn to a planet as exactly as
+//! a planet to a planet; equal masses get opposite changes to the bit. The squared distance is formed
+//! in the wide type: it cannot overflow, only the difference of positions saturates. Where bodies
+//! coincide `d` is zero, and so is the pull.
+//! Source of the softening: Aarseth, "Dynamical evolution of clusters of galaxies", MNRAS 126 (1963).
+
+use crate::body::Body;
+use crate::error::Error;
+use crate::force::{PairForce, PerStep, coefficient};
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+use crate::step::TimeStep;
+use crate::time::Now;
+
+/// Draws two bodies to each other in proportion to their masses and to `1 / (d² + ε²)`.
+///
+/// Close bodies need a small step: two that turn about each other at distance ε do so at
+/// `sqrt(G (m1 + m2) / s³)` rad/s, which times h must stay well below 2.
+#[derive(Clone, Copy, Debug)]
+pub struct Pull<S: Scalar> {
+    constant: S::Coef,
+    softening: S,
+    per_step: PerStep<S, S::Coef>,
+    impulse: S::Coef,
+}
+
+impl<S: Scalar> Pull<S> {
+    /// `constant` is the scene's G in m³/(kg s²), not negative, and `softening` ε in m.
+    ///
+    /// Refuses values that the scalar or its coefficients cannot hold, and a softening that is not
+    /// positive or so small that `G / ε³` is infinite.
+    #[inline]
+    pub fn new(constant: impl Into<Ratio>, softening: impl Into<Ratio>) -> Result<Pull<S>, Error> {
+        let constant = coefficient::<S>("constant", constant.into())?;
+        let (field, value) = ("softening", softening.into());
+        if value.num() <= 0 {
+            return Err(Error::NotPositive { field, value });
+        }
+        let softening = S::ratio(value).ok_or(Error::OutOfRange { field, value })?;
+        if softening == S::ZERO {
+            return Err(Error::RoundsToZero { field, value });
+        }
+        let largest = cubed::<S>(constant, S::inverse_length([S::ZERO; 2], softening));
+        if largest.of(S::ZERO) != S::ZERO {
+            return Err(Error::OutOfRange { field, value });
+        }
+        Ok(Pull {
+            constant,
+            softening,
+            per_step: PerStep::new(),
+            impulse: constant,
+        })
+    }
+}
+
+/// `k factor³` from the left: each product is in range where the last one is.
+#[inline]
+fn cubed<S: Scalar>(k: S::Coef, factor: S::Coef) -> S::Coef {
+    (0..3).fold(k, |product, _| S::product(product, factor))
+}
+
+impl<B: Body> PairForce<B> for Pull<B::S> {
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let product = |h| B::S::product(self.constant, h);
+        self.impulse = self.per_step.get(&now.step, product);
+    }
+
+    #[inline]
+    fn act<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]) {
+        let along = seen[1].position() - seen[0].position();
+        let inverse = B::S::inverse_length(along.array(), self.softening);
+        let per_mass = cubed::<B::S>(self.impulse, inverse);
+        let [m1, m2] = seen.map(|body| B::S::mass(body.inv_mass()));
+        let [first, second] = live;
+        first.kick(along.scaled(B::S::product(per_mass, m2)));
+        second.kick(-along.scaled(B::S::product(per_mass, m1)));
+    }
+
+    fn potential(&self, bodies: [&B; 2]) -> f64 {
+        let [a, b] = bodies.map(|body| body.position().to_f64());
+        let inverse = f64::inverse_length((b - a).array(), self.softening.to_f64());
+        let [w1, w2] = bodies.map(|body| body.inv_mass().to_f64());
+        -self.constant.to_f64() * inverse / (w1 * w2)
+    }
+}

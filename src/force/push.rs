@@ -1,0 +1,61 @@
+//! A constant force on one body: a thruster, a motor, a hand.
+//!
+//! In fixed point `F h / m` seldom fits the type; as with gravity its fraction is spread over the
+//! ticks, so that the velocity gained in n steps is `n h F / m` rounded once.
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::{self, BodyId};
+use crate::scalar::Scalar;
+use crate::step::TimeStep;
+use crate::time::Now;
+use crate::vec2::Vec2;
+
+/// Pushes one body with the same force in every step. Does nothing once the body is gone.
+///
+/// ```
+/// use fixstep::{vec2, Point, Push, Window, World};
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let rocket = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 20)?).unwrap();
+/// // Burns in the steps 0 to 119: two seconds at 60 Hz.
+/// let burn = Window::new(0..120, Push::<f32>::new(rocket, vec2(0, 300)?));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Push<S> {
+    /// Who is pushed.
+    pub body: BodyId,
+    /// With what force, N.
+    pub force: Vec2<S>,
+}
+
+impl<S: Scalar> Push<S> {
+    /// `force` in N.
+    #[inline]
+    pub const fn new(body: BodyId, force: Vec2<S>) -> Push<S> {
+        Push { body, force }
+    }
+}
+
+impl<B: Body> Force<B> for Push<B::S> {
+    const COUPLES: bool = true;
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        let Some((index, body)) = frame.find(self.body) else {
+            return;
+        };
+        let per_mass = B::S::product(now.step.coef(), body.inv_mass().into());
+        let gain = |force: B::S| B::S::gained(force.gain(per_mass), now.tick());
+        if let Some(live) = frame.live_at(index) {
+            live.kick(self.force.map(gain));
+        }
+    }
+
+    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+        let body = id::position(ids, self.body).and_then(|i| bodies.get(i));
+        body.map_or(0.0, |body| {
+            -self.force.to_f64().dot(body.position().to_f64())
+        })
+    }
+}

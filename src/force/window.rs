@@ -1,0 +1,75 @@
+//! A force that acts for a time: from one tick to another.
+
+use core::ops::Range;
+
+use crate::body::Body;
+use crate::force::{Force, Frame};
+use crate::id::BodyId;
+use crate::step::TimeStep;
+use crate::time::Now;
+
+/// Any force, in the steps whose number lies in `ticks` and in no other.
+///
+/// Ticks are whole numbers, so a window opens and closes on the same step on every target. An empty
+/// range never opens.
+#[derive(Clone, Debug)]
+pub struct Window<F> {
+    /// First step that feels the force, and the first that no longer does.
+    pub ticks: Range<u64>,
+    /// What acts.
+    pub force: F,
+    open: bool,
+}
+
+impl<F> Window<F> {
+    /// `force` in the steps numbered `ticks`; a world counts its own from 0.
+    ///
+    /// ```
+    /// use fixstep::{dec, GravityY, Window};
+    /// let lift = Window::new(600..660, GravityY::<f32>::new(dec!(9.81))?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    #[inline]
+    pub const fn new(ticks: Range<u64>, force: F) -> Window<F> {
+        Window {
+            ticks,
+            force,
+            open: false,
+        }
+    }
+}
+
+impl<B: Body, F: Force<B>> Force<B> for Window<F> {
+    const COUPLES: bool = F::COUPLES;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        self.open = self.ticks.contains(&now.tick());
+        if self.open {
+            self.force.prepare(now);
+        }
+    }
+
+    #[inline]
+    fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
+        if self.open {
+            self.force.couple(now, frame);
+        }
+    }
+
+    #[inline]
+    fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
+        if self.open {
+            self.force.field(now, seen, live);
+        }
+    }
+
+    /// That of the force if the last step felt it, else zero.
+    fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
+        if self.open {
+            self.force.potential(ids, bodies)
+        } else {
+            0.0
+        }
+    }
+}

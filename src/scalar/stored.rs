@@ -1,0 +1,77 @@
+//! Numbers as the bits they are, for snapshots.
+
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+
+use super::factor::InvMass;
+
+/// A number that a snapshot can hold. Implement it for a number type of your own, and for its
+/// inverse mass, and its worlds can be saved.
+pub trait Stored: Copy {
+    /// Tells number types apart. Yours starts at `0x8000_0000`.
+    const FORMAT: u32;
+
+    /// Bytes it takes, 8 at most.
+    const BYTES: usize;
+
+    /// Its exact bits, in the lowest [`BYTES`](Stored::BYTES) bytes: NaN and -0 as they are.
+    fn store(self) -> u64;
+
+    /// The number of these bits; `None` where no number has them.
+    fn restore(bits: u64) -> Option<Self>;
+}
+
+macro_rules! float {
+    ($float:ident, $bits:ident) => {
+        impl Stored for $float {
+            const FORMAT: u32 = 0x0200_0000 | $bits::BITS;
+            const BYTES: usize = size_of::<$float>();
+
+            fn store(self) -> u64 {
+                self.to_bits().into()
+            }
+
+            fn restore(bits: u64) -> Option<$float> {
+                Some($float::from_bits($bits::try_from(bits).ok()?))
+            }
+        }
+    };
+}
+
+float!(f32, u32);
+float!(f64, u64);
+
+macro_rules! fixed_point {
+    ($fixed:ident<$bound:ident>, $raw:ident, $unsigned:ident) => {
+        impl<F: $bound> Stored for $fixed<F> {
+            const FORMAT: u32 = 0x0100_0000 | $raw::BITS << 8 | F::U32;
+            const BYTES: usize = size_of::<$raw>();
+
+            fn store(self) -> u64 {
+                (self.to_bits() as $unsigned).into()
+            }
+
+            fn restore(bits: u64) -> Option<Self> {
+                Some($fixed::from_bits($unsigned::try_from(bits).ok()? as $raw))
+            }
+        }
+
+        impl Stored for InvMass<$raw> {
+            const FORMAT: u32 = 0x0300_0000 | $raw::BITS;
+            const BYTES: usize = size_of::<$raw>();
+
+            fn store(self) -> u64 {
+                (self.0 as $unsigned).into()
+            }
+
+            // A mantissa has its highest bit set, or a division by it would lose bits.
+            fn restore(bits: u64) -> Option<Self> {
+                let bits = $unsigned::try_from(bits).ok()?;
+                (bits >> ($raw::BITS - 2) == 1).then_some(InvMass(bits as $raw))
+            }
+        }
+    };
+}
+
+fixed_point!(FixedI32<LeEqU32>, i32, u32);
+fixed_point!(FixedI64<LeEqU64>, i64, u64);

@@ -1,0 +1,112 @@
+//! Serialising with serde: vectors, ids, points, worlds.
+//!
+//! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
+//! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
+//! keeps numbers exactly. What is read is checked as a [snapshot](crate::snapshot) is; the number type
+//! is that of the target and is not written.
+
+use serde::de::{Deserialize, Deserializer, Error};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
+use crate::body::{Body, Point};
+use crate::id::BodyId;
+use crate::scalar::{Scalar, Stored};
+use crate::vec2::Vec2;
+use crate::world::World;
+
+impl<S: Serialize> Serialize for Vec2<S> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("Vec2", 2)?;
+        fields.serialize_field("x", &self.x)?;
+        fields.serialize_field("y", &self.y)?;
+        fields.end()
+    }
+}
+
+impl<'de, S: Deserialize<'de>> Deserialize<'de> for Vec2<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "Vec2")]
+        struct Fields<S> {
+            x: S,
+            y: S,
+        }
+        let Fields { x, y } = Fields::deserialize(deserializer)?;
+        Ok(Vec2 { x, y })
+    }
+}
+
+impl Serialize for BodyId {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        self.serial().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for BodyId {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        u32::deserialize(deserializer).map(BodyId::from_serial)
+    }
+}
+
+impl<S: Scalar<InvMass: Stored> + Serialize> Serialize for Point<S> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("Point", 3)?;
+        fields.serialize_field("position", &self.position())?;
+        fields.serialize_field("velocity", &self.velocity())?;
+        fields.serialize_field("inv_mass", &self.inv_mass().store())?;
+        fields.end()
+    }
+}
+
+impl<'de, S: Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de> for Point<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "Point")]
+        struct Fields<S> {
+            position: Vec2<S>,
+            velocity: Vec2<S>,
+            inv_mass: u64,
+        }
+        let fields = Fields::deserialize(deserializer)?;
+        S::InvMass::restore(fields.inv_mass)
+            .and_then(|inv_mass| Point::from_parts(fields.position, fields.velocity, inv_mass))
+            .ok_or_else(|| D::Error::custom("inv_mass is not that of a point"))
+    }
+}
+
+impl<B: Body + Serialize, const N: usize> Serialize for World<B, N> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("World", 4)?;
+        fields.serialize_field("tick", &self.tick())?;
+        fields.serialize_field("next", &self.next_id())?;
+        fields.serialize_field("ids", self.ids())?;
+        fields.serialize_field("bodies", self.bodies())?;
+        fields.end()
+    }
+}
+
+impl<'de, B: Body + Deserialize<'de>, const N: usize> Deserialize<'de> for World<B, N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "World", bound = "B: Deserialize<'de>")]
+        struct Fields<B, const N: usize> {
+            tick: u64,
+            next: Option<BodyId>,
+            ids: heapless::Vec<BodyId, N>,
+            bodies: heapless::Vec<B, N>,
+        }
+        let fields = Fields::<B, N>::deserialize(deserializer)?;
+        let state = || D::Error::custom("ids do not rise, or there is not one for each body");
+        if fields.ids.len() != fields.bodies.len() {
+            return Err(state());
+        }
+        let mut world = World::new();
+        for (&id, &body) in fields.ids.iter().zip(&fields.bodies) {
+            world.put_back(id, body).ok_or_else(state)?;
+        }
+        world
+            .go_on_from(fields.tick, fields.next)
+            .ok_or_else(state)?;
+        Ok(world)
+    }
+}
