@@ -1,4 +1,42 @@
-//! What a constructor says when it refuses a value, and what a full world hands back.
+//! What a call says when it refuses its input, and what a full world hands back.
+//!
+//! Nothing panics, and a call that refuses changes nothing. A step refuses nothing: it saturates, and
+//! [`World::out_of_range`](crate::World::out_of_range) reports. A test of each row holds this table.
+//!
+//! | input | where | error | what is kept |
+//! |---|---|---|---|
+//! | a mass of zero or less | [`Point::new`](crate::Point::new) | `NotPositive` | no body was made |
+//! | a mass whose inverse the scalar cannot hold | [`Point::new`](crate::Point::new) | `OutOfRange` | no body was made |
+//! | NaN or infinity as a number | [`Ratio::from_f64`](crate::Ratio::from_f64) | `NotFinite` | no number was made |
+//! | a fraction over zero, or of more than 62 bits | [`Ratio::new`](crate::Ratio::new) | `NotANumber` | no number was made |
+//! | a text that is no plain decimal | [`Ratio::parse`](crate::Ratio::parse); `dec!` does not compile | `NotANumber` | no number was made |
+//! | a component outside of the scalar | [`vec2`](crate::vec2()) | `OutOfRange` | no vector was made |
+//! | NaN or infinity as position or velocity | [`Point`](crate::Point): `new`, `teleport`, `set_velocity` | `NotFinite` | the state it had |
+//! | a rate of zero or less | [`Step::hz`](crate::Step::hz) | `NotPositive` | no step was made |
+//! | a step of a quarter second or more, or too short | [`Step`](crate::Step): `hz`, `from_seconds` | `OutOfRange` | no step was made |
+//! | a coefficient below zero | every force | `Negative` | no force was made |
+//! | a coefficient that is too large | every force | `OutOfRange` | no force was made |
+//! | a coefficient that would be zero, but is not | every force | `RoundsToZero` | no force was made |
+//! | a length or acceleration outside of the scalar | [`Spring`](crate::Spring), [`Pull`](crate::Pull), [`GravityY`](crate::GravityY) | `OutOfRange` | no force was made |
+//! | a softening of zero or less | [`Pull::new`](crate::Pull::new) | `NotPositive` | no force was made |
+//! | no point masses | [`CentreOfMass::of`](crate::CentreOfMass::of) | `Empty` | nothing was made |
+//! | a point mass of zero or less | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotPositive` | nothing was made |
+//! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
+//! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
+//! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |
+//! | a body for a full world | [`World::add`](crate::World::add) | `Full` | the world; the body comes back |
+//! | a stale id | [`World`](crate::World): `get`, `get_mut`, `remove` | `Stale` | the world |
+//! | a stale id in a force | any step | none: the force waits | the other forces act |
+//! | a scene that leaves the range | any step | none: it saturates | `out_of_range` names the bodies |
+//! | a slice too short for a snapshot | [`World::save`](crate::World::save) | `Length` | the slice |
+//! | fewer or more bytes than a snapshot has | [`World::load`](crate::World::load) | `Length` | nothing was made |
+//! | bytes that are no snapshot | [`World::load`](crate::World::load) | `NotASnapshot` | nothing was made |
+//! | a snapshot of another version | [`World::load`](crate::World::load) | `Version` | nothing was made |
+//! | a snapshot with a changed bit | [`World::load`](crate::World::load) | `Checksum` | nothing was made |
+//! | a snapshot of another kind of body | [`World::load`](crate::World::load) | `Kind` | nothing was made |
+//! | a snapshot of another number type | [`World::load`](crate::World::load) | `Scalar` | nothing was made |
+//! | a snapshot of more bodies than there is room | [`World::load`](crate::World::load) | `Full` | nothing was made |
+//! | a snapshot whose ids do not rise, or of no mass | [`World::load`](crate::World::load) | `State` | nothing was made |
 
 use core::fmt;
 

@@ -1,0 +1,245 @@
+//! The table of bad inputs in the documentation of `error`: one test a row, and no row without one.
+//!
+//! A test hands back what it was refused with; the table must name that error.
+
+#[path = "bad_input/snapshots.rs"]
+mod snapshots;
+
+use std::fmt::Debug;
+
+use fixstep::fixed::types::{I8F24, I16F16};
+use fixstep::{
+    Accumulator, Anchor, Between, Body, BodyId, CentreOfMass, Error, GravityY, LinearDrag, Pairs,
+    Point, PointMass, Pull, QuadraticDrag, Ratio, SemiImplicitEuler, Spring, Stale, Step, Vec2,
+    World, dec, vec2,
+};
+
+/// The first word of each error: the name of its variant or type.
+type Errors = Vec<String>;
+
+fn name(error: impl Debug) -> String {
+    let text = format!("{error:?}");
+    let end = text.find(|c: char| !c.is_alphanumeric());
+    text[..end.unwrap_or(text.len())].into()
+}
+
+/// What a call was refused with; a call that went through has no name that a table would know.
+fn refused<T: Debug, E: Debug>(result: Result<T, E>) -> String {
+    match result {
+        Ok(value) => format!("accepted {value:?}"),
+        Err(error) => name(error),
+    }
+}
+
+/// Input and error of each row of the table.
+fn table() -> Vec<(&'static str, &'static str)> {
+    let rows = include_str!("../src/error.rs").lines();
+    let rows = rows.filter_map(|line| line.strip_prefix("//! | "));
+    let cells = rows.map(|row| row.split(" | ").map(str::trim).collect::<Vec<_>>());
+    cells.skip(1).map(|cells| (cells[0], cells[2])).collect()
+}
+
+/// The row of `input` names exactly these errors.
+fn check(input: &str, errors: &Errors) {
+    let row = table().into_iter().find(|row| row.0 == input);
+    let (_, told) = row.unwrap_or_else(|| panic!("no row for: {input}"));
+    assert!(told.starts_with("none") == errors.is_empty(), "{input}");
+    for error in errors {
+        assert_eq!(told, format!("`{error}`"), "{input}");
+    }
+}
+
+macro_rules! rows {
+    ($($name:ident, $input:literal: $errors:expr;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                check($input, &$errors);
+            }
+        )*
+        const INPUTS: &[&str] = &[$($input),*];
+    };
+}
+
+rows! {
+    mass_of_nothing, "a mass of zero or less": masses(&[dec!(0), dec!(-1.5)]);
+    mass_beyond, "a mass whose inverse the scalar cannot hold": masses(&[dec!(0.0004), dec!(3000000)]);
+    nan_number, "NaN or infinity as a number": not_finite_numbers();
+    odd_fraction, "a fraction over zero, or of more than 62 bits":
+        vec![refused(Ratio::new(1, 0)), refused(Ratio::new(i64::MIN, 1))];
+    odd_text, "a text that is no plain decimal":
+        ["1e9", "", "-", "1.2.3", "NaN"].map(|text| refused(Ratio::parse(text))).into();
+    component_beyond, "a component outside of the scalar":
+        vec![refused(vec2::<I16F16>(40_000, 0)), refused(vec2::<I8F24>(0, -128))];
+    nan_state, "NaN or infinity as position or velocity": not_finite_states();
+    rate_of_nothing, "a rate of zero or less":
+        vec![refused(Step::<I16F16>::hz(0)), refused(Step::<f32>::hz(-60))];
+    step_beyond, "a step of a quarter second or more, or too short": steps();
+    coefficient_below_zero, "a coefficient below zero": coefficients(dec!(-0.1));
+    coefficient_beyond, "a coefficient that is too large": coefficients(dec!(3000000000));
+    coefficient_lost, "a coefficient that would be zero, but is not": coefficients(dec!(0.00000000001));
+    length_beyond, "a length or acceleration outside of the scalar": vec![
+        refused(Spring::<I16F16>::new(40_000, 1, 0)),
+        refused(Pull::<I16F16>::new(1, 40_000)),
+        refused(GravityY::<I8F24>::new(200)),
+    ];
+    softening_of_nothing, "a softening of zero or less":
+        vec![refused(Pull::<I16F16>::new(1, 0)), refused(Pull::<f32>::new(1, -1))];
+    no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::of(&[]))];
+    point_of_no_mass, "a point mass of zero or less": point_masses();
+    clock_that_stands, "a clock that stands still, or no steps a frame": vec![
+        refused(Accumulator::new(0, dec!(0.02), 4)),
+        refused(Accumulator::new(1000, dec!(0), 4)),
+        refused(Accumulator::new(1000, dec!(0.02), 0)),
+    ];
+    clock_without_unit, "a clock and a step without a common unit":
+        vec![refused(Accumulator::new(u32::MAX, Ratio::new((1 << 62) - 1, (1 << 61) - 1).unwrap(), 4))];
+    part_beyond, "a part of a step below 0 or above 1": parts();
+    full_world, "a body for a full world": full();
+    stale_id, "a stale id": stale();
+    stale_force, "a stale id in a force": waiting_force();
+    range_left, "a scene that leaves the range": saturated();
+    short_slice, "a slice too short for a snapshot": snapshots::short_slice();
+    other_length, "fewer or more bytes than a snapshot has": snapshots::other_length();
+    other_bytes, "bytes that are no snapshot": snapshots::other_bytes();
+    other_version, "a snapshot of another version": snapshots::other_version();
+    changed_bit, "a snapshot with a changed bit": snapshots::changed_bit();
+    other_kind, "a snapshot of another kind of body": snapshots::other_kind();
+    other_scalar, "a snapshot of another number type": snapshots::other_scalar();
+    other_room, "a snapshot of more bodies than there is room": snapshots::other_room();
+    other_state, "a snapshot whose ids do not rise, or of no mass": snapshots::other_state();
+}
+
+#[test]
+fn every_row_has_its_test() {
+    let told: Vec<_> = table().into_iter().map(|row| row.0).collect();
+    assert_eq!(told, INPUTS);
+}
+
+fn point<S: fixstep::Scalar>(mass: impl Into<Ratio>) -> Result<Point<S>, Error> {
+    Point::new(Vec2::ZERO, Vec2::ZERO, mass)
+}
+
+fn masses(masses: &[Ratio]) -> Errors {
+    let of = |&mass| refused(point::<I16F16>(mass));
+    masses.iter().map(of).collect()
+}
+
+fn not_finite_numbers() -> Errors {
+    let numbers = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+    numbers
+        .map(|number| refused(Ratio::from_f64(number)))
+        .into()
+}
+
+fn not_finite_states() -> Errors {
+    let bad = Vec2::new(0.0, f32::NAN);
+    let far = Vec2::new(f32::INFINITY, 0.0);
+    let sound = Point::new(Vec2::new(1.0_f32, 2.0), Vec2::new(3.0, 4.0), 5).unwrap();
+    let mut tried = sound;
+    let errors = vec![
+        refused(Point::new(bad, Vec2::ZERO, 1)),
+        refused(Point::new(Vec2::ZERO, far, 1)),
+        refused(tried.teleport(far)),
+        refused(tried.set_velocity(bad)),
+    ];
+    assert_eq!(tried, sound);
+    errors
+}
+
+fn steps() -> Errors {
+    let instant = Ratio::new(1, 1 << 62).unwrap();
+    vec![
+        refused(Step::<I16F16>::hz(4)),
+        refused(Step::<f32>::from_seconds(dec!(0.25))),
+        refused(Step::<I16F16>::from_seconds(instant)),
+    ]
+}
+
+fn coefficients(value: Ratio) -> Errors {
+    let mut world = World::<Point<I16F16>, 1>::new();
+    let id = world.add(point(1).unwrap()).unwrap();
+    vec![
+        refused(LinearDrag::<I16F16>::new(value)),
+        refused(QuadraticDrag::<I16F16>::new(value)),
+        refused(Pull::<I16F16>::new(value, 1)),
+        refused(Spring::<I16F16>::new(1, value, 0)),
+        refused(Spring::<I16F16>::new(1, 1, value)),
+        refused(Anchor::<I16F16>::new(id, Vec2::ZERO, value, 0)),
+        refused(Anchor::<I16F16>::new(id, Vec2::ZERO, 1, value)),
+    ]
+}
+
+fn point_masses() -> Errors {
+    let of = |mass| PointMass {
+        position: Vec2::<I16F16>::ZERO,
+        velocity: Vec2::ZERO,
+        mass,
+    };
+    let sets = [[of(dec!(1)), of(dec!(0))], [of(dec!(-2)), of(dec!(3))]];
+    sets.map(|set| refused(CentreOfMass::of(&set))).into()
+}
+
+fn parts() -> Errors {
+    let step = Step::<I16F16>::hz(60).unwrap();
+    [dec!(-0.01), dec!(1.01), dec!(2)]
+        .map(|part| refused(Between::new(part, &step)))
+        .into()
+}
+
+fn full() -> Errors {
+    let (first, second) = (point::<f32>(1).unwrap(), point::<f32>(2).unwrap());
+    let mut world = World::<_, 1>::new();
+    let id = world.add(first).unwrap();
+    let error = world.add(second).unwrap_err();
+    assert_eq!((error.body, error.capacity), (second, 1));
+    assert_eq!((world.get(id), world.len()), (Ok(&first), 1));
+    vec![name(error)]
+}
+
+/// A world of one body, and the id of another that is gone.
+fn with_a_gap() -> (World<Point<I16F16>, 2>, BodyId) {
+    let mut world = World::new();
+    let gone = world.add(point(1).unwrap()).unwrap();
+    world.add(point(2).unwrap()).unwrap();
+    world.remove(gone).unwrap();
+    (world, gone)
+}
+
+fn stale() -> Errors {
+    let (mut world, gone) = with_a_gap();
+    let before = world.state_hash();
+    let errors = vec![
+        name(world.get(gone).unwrap_err()),
+        name(world.get_mut(gone).unwrap_err()),
+        name(world.remove(gone).unwrap_err()),
+    ];
+    assert_eq!(world.get(gone), Err(Stale(gone)));
+    assert_eq!(world.state_hash(), before);
+    errors
+}
+
+fn waiting_force() -> Errors {
+    let (mut world, gone) = with_a_gap();
+    let spring = Spring::new(1, 40, 1).unwrap();
+    let mut forces = (
+        Pairs::new(spring, [[gone, world.ids()[0]]]),
+        GravityY::new(-8).unwrap(),
+    );
+    let step = fixstep::DyadicStep::<I16F16, 1, 6>::new().unwrap();
+    world.step(&mut SemiImplicitEuler, &mut forces, &step);
+    assert_eq!(world.bodies()[0].velocity(), vec2(0, dec!(-0.125)).unwrap());
+    Errors::new()
+}
+
+fn saturated() -> Errors {
+    let mut world = World::<Point<I16F16>, 2>::new();
+    world.add(point(1).unwrap()).unwrap();
+    let fast = Point::new(vec2(32_000, 0).unwrap(), vec2(30_000, 0).unwrap(), 1).unwrap();
+    let fast = world.add(fast).unwrap();
+    let step = Step::hz(60).unwrap();
+    (0..60).for_each(|_| world.step(&mut SemiImplicitEuler, &mut (), &step));
+    assert!(world.out_of_range().eq([fast]));
+    assert_eq!(world.get(fast).unwrap().position().x, I16F16::MAX);
+    Errors::new()
+}
