@@ -20,7 +20,7 @@ use crate::ratio::Ratio;
 /// ```
 /// use fixstep::{Accumulator, Step, TimeStep};
 /// let step = Step::<f32>::hz(60)?;
-/// let mut clock = Accumulator::new(1_000_000, TimeStep::seconds(&step), 4)?; // microseconds
+/// let mut clock = Accumulator::new(1_000_000, step.seconds(), 4)?; // microseconds
 /// assert_eq!(clock.advance(16_000).steps, 0); // 16.67 ms make a step
 /// assert_eq!(clock.advance(18_000).steps, 2);
 /// assert_eq!(clock.fraction(), fixstep::dec!(0.04)); // 34 ms are 2.04 steps

@@ -9,6 +9,8 @@
 //! * A [`Force`](force) says what it does to a body; a tuple of forces is a force.
 //! * A [method](integrate) says when. [`Verlet`] is the one to start with.
 //! * [`Step`] or [`DyadicStep`] is the timestep. Time is a count of ticks.
+//! * An [`Accumulator`] says how many steps a frame is due, [`Between`] where to draw in between.
+//! * [`snapshot`] saves a world as bytes; [`error`] has a table of what is refused.
 //! * [`Scalar`](scalar) is the law that every number type keeps: total, odd, nearest, same bits.
 //!
 //! Units are SI as far as the crate is concerned (m, s, kg); a scene may read them as pixels and
@@ -17,6 +19,8 @@
 //! | rung | what a scene adds | where |
 //! |---|---|---|
 //! | 1 | points with mass, forces, a method | root files, [`force`], [`integrate`] |
+//!
+//! Optional features, none on by default: `serde`, `defmt` (its `Format`), `mint` (vectors).
 //!
 //! Rotation, contacts and joints are further rungs, not built yet. A scene pays flash, memory and
 //! instructions only for what it names.
