@@ -11,10 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     for tick in 0..=60 {
         if tick % 15 == 0 {
-            let at = world
-                .get(ball)
-                .map(|ball| ball.position())
-                .unwrap_or_default();
+            let at = world.get(ball)?.position();
             println!(
                 "{:.2} s: {:5.2} m, {:5.2} m",
                 tick as f32 / 60.0,
