@@ -8,7 +8,7 @@
 //! All of it in integers, so that after any number of frames the steps are `floor(elapsed / h)`: no
 //! clock drifts against another. A frame that took too long makes no more than `most` steps; the
 //! rest of its whole steps is dropped and reported, or each frame would take longer than the one
-//! before. Source of the scheme: Fiedler, "Fix Your Timestep!" (2004), who keeps it in floats.
+//! before. Source of the scheme: Fiedler, "Fix Your Timestep!" (Gaffer on Games), who keeps it in floats.
 
 use core::num::NonZero;
 

@@ -16,7 +16,7 @@
 //! | a step of a quarter second or more, or too short | [`Step`](crate::Step): `hz`, `from_seconds` | `OutOfRange` | no step was made |
 //! | a coefficient below zero | every force | `Negative` | no force was made |
 //! | a coefficient that is too large | every force | `OutOfRange` | no force was made |
-//! | a coefficient that would be zero, but is not | every force | `RoundsToZero` | no force was made |
+//! | a coefficient or softening that would be zero, but is not | every force | `RoundsToZero` | no force was made |
 //! | a length or acceleration outside of the scalar | [`Spring`](crate::Spring), [`Pull`](crate::Pull), [`GravityY`](crate::GravityY) | `OutOfRange` | no force was made |
 //! | a softening of zero or less | [`Pull::new`](crate::Pull::new) | `NotPositive` | no force was made |
 //! | no point masses | [`CentreOfMass::of`](crate::CentreOfMass::of) | `Empty` | nothing was made |

@@ -77,7 +77,7 @@ rows! {
     step_beyond, "a step of a quarter second or more, or too short": steps();
     coefficient_below_zero, "a coefficient below zero": coefficients(dec!(-0.1));
     coefficient_beyond, "a coefficient that is too large": coefficients(dec!(3000000000));
-    coefficient_lost, "a coefficient that would be zero, but is not": coefficients(dec!(0.00000000001));
+    coefficient_lost, "a coefficient or softening that would be zero, but is not": lost();
     length_beyond, "a length or acceleration outside of the scalar": vec![
         refused(Spring::<I16F16>::new(40_000, 1, 0)),
         refused(Pull::<I16F16>::new(1, 40_000)),
@@ -168,6 +168,12 @@ fn coefficients(value: Ratio) -> Errors {
         refused(Anchor::<I16F16>::new(id, Vec2::ZERO, value, 0)),
         refused(Anchor::<I16F16>::new(id, Vec2::ZERO, 1, value)),
     ]
+}
+
+fn lost() -> Errors {
+    let mut errors = coefficients(dec!(0.00000000001));
+    errors.push(refused(Pull::<I16F16>::new(1, dec!(0.000001))));
+    errors
 }
 
 fn point_masses() -> Errors {

@@ -10,7 +10,8 @@
 //! a planet to a planet; equal masses get opposite changes to the bit. The squared distance is formed
 //! in the wide type: it cannot overflow, only the difference of positions saturates. Where bodies
 //! coincide `d` is zero, and so is the pull.
-//! Source of the softening: Aarseth, "Dynamical evolution of clusters of galaxies", MNRAS 126 (1963).
+//! Potential `-G m1 m2 / s`: the softening of Plummer. Source: Dehnen, Read, "N-body simulations of
+//! gravitational dynamics", Eur. Phys. J. Plus 126 (2011), arXiv:1105.1082.
 
 use crate::body::Body;
 use crate::error::Error;
@@ -20,7 +21,8 @@ use crate::scalar::{Factor, Scalar};
 use crate::step::TimeStep;
 use crate::time::Now;
 
-/// Draws two bodies to each other in proportion to their masses and to `1 / (d² + ε²)`.
+/// Draws two bodies to each other with `F = G m1 m2 d / (d² + ε²)^(3/2)`: the inverse square where
+/// they are far apart, and nothing sudden where they are not.
 ///
 /// Close bodies need a small step: two that turn about each other at distance ε do so at
 /// `sqrt(G (m1 + m2) / s³)` rad/s, which times h must stay well below 2.
