@@ -102,6 +102,7 @@ impl Accumulator {
     }
 
     /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
+    #[must_use]
     pub fn fraction(&self) -> Ratio {
         Ratio::fraction(self.rest, self.per_step)
     }

@@ -44,12 +44,14 @@ impl<S: Scalar> Between<S> {
 
     /// On the straight line from `before` to `after`.
     #[inline]
+    #[must_use]
     pub fn chord(&self, before: Vec2<S>, after: Vec2<S>) -> Vec2<S> {
         before + (after - before).scaled(self.part)
     }
 
     /// How far the path leaves that line while the velocity changes by `change`.
     #[inline]
+    #[must_use]
     pub fn bow(&self, change: Vec2<S>) -> Vec2<S> {
         -change.scaled(self.bow)
     }

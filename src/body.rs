@@ -13,12 +13,15 @@ pub trait Body: Copy + 'static {
     type S: Scalar;
 
     /// Position of the centre of mass, m.
+    #[must_use]
     fn position(&self) -> Vec2<Self::S>;
 
     /// Velocity of the centre of mass, m/s.
+    #[must_use]
     fn velocity(&self) -> Vec2<Self::S>;
 
     /// One over its mass, 1/kg.
+    #[must_use]
     fn inv_mass(&self) -> <Self::S as Scalar>::InvMass;
 
     /// `v += dv`: a change of velocity that is the same for every mass, m/s.
@@ -50,6 +53,7 @@ pub trait Body: Copy + 'static {
     }
 
     /// Whether every part of its state is away from the ends of the range and finite.
+    #[must_use]
     fn is_inside(&self) -> bool {
         self.position().is_inside() && self.velocity().is_inside()
     }

@@ -27,6 +27,7 @@ impl BodyId {
     }
 
     /// The serial number: 0 for the first body that was added.
+    #[must_use]
     pub fn serial(self) -> u32 {
         self.0
     }

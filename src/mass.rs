@@ -81,6 +81,7 @@ impl<S: Scalar> CentreOfMass<S> {
     }
 
     /// Momentum of the whole, kg m/s; for reports.
+    #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         self.velocity.to_f64().map(|v| v * self.mass.to_f64())
     }

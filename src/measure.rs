@@ -13,6 +13,7 @@ use crate::world::World;
 
 impl<B: Body, const N: usize> World<B, N> {
     /// Total momentum `sum(m v)`, kg m/s.
+    #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         let of = |body: &B| {
             body.velocity()
@@ -26,6 +27,7 @@ impl<B: Body, const N: usize> World<B, N> {
     }
 
     /// Total kinetic energy `sum(m v²/2)`, J.
+    #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         let of = |body: &B| {
             let v = body.velocity().to_f64();
@@ -35,12 +37,14 @@ impl<B: Body, const N: usize> World<B, N> {
     }
 
     /// Total potential energy in `forces`, J.
+    #[must_use]
     pub fn potential_energy(&self, forces: &impl Force<B>) -> f64 {
         forces.potential(self.ids(), self.bodies())
     }
 
     /// FNV-1a over the tick, the ids and the exact bits of every position and velocity: equal
     /// states have equal hashes on every target. Masses, which no step changes, are left out.
+    #[must_use]
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv64::new();
         hash.write(self.tick());

@@ -100,11 +100,13 @@ impl Ratio {
     }
 
     /// Numerator; carries the sign.
+    #[must_use]
     pub const fn num(self) -> i64 {
         self.num
     }
 
     /// Denominator, greater than zero.
+    #[must_use]
     pub const fn den(self) -> u64 {
         self.den
     }
@@ -155,6 +157,7 @@ impl Ratio {
     }
 
     /// The nearest `f64`, for reports and references.
+    #[must_use]
     pub fn to_f64(self) -> f64 {
         self.num as f64 / self.den as f64
     }

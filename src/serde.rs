@@ -2,8 +2,8 @@
 //!
 //! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
 //! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
-//! keeps numbers exactly. What is read is checked as a [snapshot](crate::snapshot) is; the number type
-//! is that of the target and is not written.
+//! keeps numbers exactly. What is read is checked as a [snapshot](crate::snapshot) is, and a field that
+//! is missing or unknown is refused; the number type is that of the target and is not written.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
@@ -26,7 +26,7 @@ impl<S: Serialize> Serialize for Vec2<S> {
 impl<'de, S: Deserialize<'de>> Deserialize<'de> for Vec2<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(serde::Deserialize)]
-        #[serde(rename = "Vec2")]
+        #[serde(rename = "Vec2", deny_unknown_fields)]
         struct Fields<S> {
             x: S,
             y: S,
@@ -61,7 +61,7 @@ impl<S: Scalar<InvMass: Stored> + Serialize> Serialize for Point<S> {
 impl<'de, S: Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de> for Point<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(serde::Deserialize)]
-        #[serde(rename = "Point")]
+        #[serde(rename = "Point", deny_unknown_fields)]
         struct Fields<S> {
             position: Vec2<S>,
             velocity: Vec2<S>,
@@ -88,9 +88,11 @@ impl<B: Body + Serialize, const N: usize> Serialize for World<B, N> {
 impl<'de, B: Body + Deserialize<'de>, const N: usize> Deserialize<'de> for World<B, N> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(serde::Deserialize)]
-        #[serde(rename = "World", bound = "B: Deserialize<'de>")]
+        #[serde(rename = "World", bound = "B: Deserialize<'de>", deny_unknown_fields)]
         struct Fields<B, const N: usize> {
             tick: u64,
+            // Said in so many words: an option that is missing would be `None`, a world without ids.
+            #[serde(deserialize_with = "Option::deserialize")]
             next: Option<BodyId>,
             ids: heapless::Vec<BodyId, N>,
             bodies: heapless::Vec<B, N>,

@@ -52,6 +52,7 @@ pub trait Saved: Body<S: Stored> {
 
     /// The body of the state that `read` gives, in the order in which it was saved; `None` where no
     /// body has it.
+    #[must_use]
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self>;
 }
 
@@ -93,7 +94,7 @@ pub enum SnapshotError {
     Version(u16),
     /// Bytes were changed.
     Checksum,
-    /// It holds another kind of body.
+    /// It holds another kind of body, or one whose state takes another number of bytes.
     Kind(u16),
     /// It holds another number type.
     Scalar(u32),
@@ -203,10 +204,13 @@ impl<B: Saved, const N: usize> World<B, N> {
         if format != B::S::FORMAT {
             return Err(SnapshotError::Scalar(format));
         }
-        let (size, count) = (from.take(4), from.take(4) as u32);
+        if from.take(4) != B::BYTES as u64 {
+            return Err(SnapshotError::Kind(kind));
+        }
+        let count = from.take(4) as u32;
         let (tick, next) = (from.take(8), from.take(8));
         let needed = HEADER as u64 + count as u64 * (ID + B::BYTES) as u64;
-        if size != B::BYTES as u64 || needed != given as u64 {
+        if needed != given as u64 {
             return Err(length(usize::try_from(needed).unwrap_or(usize::MAX)));
         }
         if count as usize > N {

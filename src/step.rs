@@ -12,20 +12,25 @@ use crate::scalar::{Factor, Scalar};
 /// A fixed timestep, with its length `h` in the forms that forces and stages need.
 pub trait TimeStep<S: Scalar>: Copy {
     /// `h` as a coefficient, to be multiplied with others once per step.
+    #[must_use]
     fn coef(&self) -> S::Coef;
 
     /// `h * rate`: nearest, odd, saturating.
+    #[must_use]
     fn of(&self, rate: S) -> S;
 
     /// `h/2 * rate`.
+    #[must_use]
     fn half_of(&self, rate: S) -> S;
 
     /// `h` in seconds, exactly.
+    #[must_use]
     fn seconds(&self) -> Ratio;
 
     /// The step as tick `tick` uses it: where a rounding is a toss-up, it goes one way in even
     /// ticks and the other way in odd ones. A step that has no other way returns itself.
     #[inline]
+    #[must_use]
     fn at(&self, tick: u64) -> Self {
         let _ = tick;
         *self

@@ -7,6 +7,7 @@ use crate::step::TimeStep;
 /// An instant: a whole or half number of steps since the start, all of one length. A world that
 /// changes its step changes its clock with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
 pub struct Time {
     half_ticks: u64,
     seconds: Ratio,
@@ -17,6 +18,7 @@ impl Time {
     ///
     /// Made by a 128-bit division, dear on a small core. A force that oscillates for long does better
     /// to reduce [`half_ticks`](Time::half_ticks) by its period in integers.
+    #[must_use]
     pub fn seconds<S: Scalar>(self) -> S {
         let num = self.half_ticks as u128 * self.seconds.num() as u128;
         let den = self.seconds.den() as u128 * 2;
@@ -26,11 +28,13 @@ impl Time {
     }
 
     /// Half steps since the start; even at the start of a step, odd in its middle.
+    #[must_use]
     pub fn half_ticks(self) -> u64 {
         self.half_ticks
     }
 
     /// The time since the start, exactly; `None` when it needs more than 62 bits.
+    #[must_use]
     pub fn elapsed(self) -> Option<Ratio> {
         let num = i64::try_from(self.half_ticks)
             .ok()?
@@ -43,6 +47,7 @@ impl Time {
 ///
 /// All stages of one step share one `Now`, so that they round alike.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Now<H> {
     /// The step, as this tick uses it.
     pub step: H,
@@ -78,6 +83,7 @@ impl<H> Now<H> {
     }
 
     /// Number of the step that is being made; the first is 0.
+    #[must_use]
     pub fn tick(&self) -> u64 {
         self.tick
     }

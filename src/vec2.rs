@@ -43,18 +43,21 @@ impl<S: Scalar> Vec2<S> {
 
     /// From its components.
     #[inline]
+    #[must_use]
     pub const fn new(x: S, y: S) -> Vec2<S> {
         Vec2 { x, y }
     }
 
     /// As an array, x first.
     #[inline]
+    #[must_use]
     pub fn array(self) -> [S; 2] {
         [self.x, self.y]
     }
 
     /// Each component through `f`.
     #[inline]
+    #[must_use]
     pub fn map<T>(self, mut f: impl FnMut(S) -> T) -> Vec2<T> {
         Vec2 {
             x: f(self.x),
@@ -64,18 +67,21 @@ impl<S: Scalar> Vec2<S> {
 
     /// Times a factor, each component rounded once.
     #[inline]
+    #[must_use]
     pub fn scaled(self, factor: impl Factor<S>) -> Vec2<S> {
         self.map(|s| factor.of(s))
     }
 
     /// `self.x * other.x + self.y * other.y` in the wide type.
     #[inline]
+    #[must_use]
     pub fn dot(self, other: Vec2<S>) -> S::Sum {
         S::dot(self.array(), other.array())
     }
 
     /// Euclidean length, saturating.
     #[inline]
+    #[must_use]
     pub fn length(self) -> S {
         S::length(self.array())
     }
@@ -83,17 +89,20 @@ impl<S: Scalar> Vec2<S> {
     /// The vector of length `length` along `self`, whose own length the caller knows. Zero for a
     /// null vector.
     #[inline]
+    #[must_use]
     pub fn with_length(self, length: S, own: S) -> Vec2<S> {
         self.map(|s| own.under(S::dot([s, S::ZERO], [length, S::ZERO])))
     }
 
     /// Whether both components are away from the ends of the range and finite.
     #[inline]
+    #[must_use]
     pub fn is_inside(self) -> bool {
         self.x.is_inside() && self.y.is_inside()
     }
 
     /// The same vector in `f64`, for reports.
+    #[must_use]
     pub fn to_f64(self) -> Vec2<f64> {
         self.map(S::to_f64)
     }

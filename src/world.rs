@@ -38,6 +38,7 @@ pub struct World<B, const N: usize> {
 
 impl<B, const N: usize> World<B, N> {
     /// An empty world at tick 0.
+    #[must_use]
     pub const fn new() -> Self {
         World {
             tick: 0,
@@ -148,26 +149,31 @@ impl<B: Body, const N: usize> World<B, N> {
     }
 
     /// The ids, rising; body `i` of [`bodies`](World::bodies) has id `i`.
+    #[must_use]
     pub fn ids(&self) -> &[BodyId] {
         &self.ids
     }
 
     /// The bodies, for stages called by hand and for reports.
+    #[must_use]
     pub fn bodies(&self) -> &[B] {
         &self.bodies
     }
 
     /// Number of bodies.
+    #[must_use]
     pub fn len(&self) -> usize {
         self.bodies.len()
     }
 
     /// Whether there is no body.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bodies.is_empty()
     }
 
     /// Number of steps made.
+    #[must_use]
     pub fn tick(&self) -> u64 {
         self.tick
     }

@@ -1,5 +1,8 @@
 //! Sources point down the ladder only, and keep the promises that a compiler does not check.
 
+#[path = "layers/doubles.rs"]
+mod doubles;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

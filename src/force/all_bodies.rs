@@ -31,6 +31,7 @@ pub struct AllBodies<F, S, const N: usize> {
 
 impl<F, S: Scalar, const N: usize> AllBodies<F, S, N> {
     /// Bodies beyond the first `N` feel nothing: choose the capacity of the world.
+    #[must_use]
     pub const fn new(function: F) -> Self {
         AllBodies {
             function,

@@ -31,6 +31,7 @@ pub struct Gravity<S: Scalar> {
 impl<S: Scalar> Gravity<S> {
     /// `acceleration` in m/s².
     #[inline]
+    #[must_use]
     pub fn new(acceleration: Vec2<S>) -> Gravity<S> {
         Gravity {
             acceleration,

@@ -71,6 +71,7 @@ pub struct Frame<'a, B> {
 
 impl<'a, B: Body> Frame<'a, B> {
     /// Forces read and push the same bodies.
+    #[must_use]
     pub fn new(ids: &'a [BodyId], bodies: &'a mut [B]) -> Self {
         Frame {
             ids,
@@ -80,6 +81,7 @@ impl<'a, B: Body> Frame<'a, B> {
     }
 
     /// Forces read `seen` and push `live`: two copies of the same bodies.
+    #[must_use]
     pub fn split(ids: &'a [BodyId], seen: &'a [B], live: &'a mut [B]) -> Self {
         Frame {
             ids,
@@ -90,12 +92,14 @@ impl<'a, B: Body> Frame<'a, B> {
 
     /// The bodies as forces are to see them.
     #[inline]
+    #[must_use]
     pub fn bodies(&self) -> &[B] {
         self.seen.unwrap_or(self.live)
     }
 
     /// The body of that name as forces are to see it, and where it stands.
     #[inline]
+    #[must_use]
     pub fn find(&self, id: BodyId) -> Option<(usize, B)> {
         let index = id::position(self.ids, id)?;
         Some((index, *self.bodies().get(index)?))
@@ -144,6 +148,7 @@ pub trait Force<B: Body> {
     }
 
     /// Potential energy of `bodies` in this force, J; zero for a force that has none.
+    #[must_use]
     fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
         let _ = (ids, bodies);
         0.0

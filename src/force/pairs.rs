@@ -22,6 +22,7 @@ pub trait PairForce<B: Body> {
     fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]);
 
     /// Potential energy of two bodies, J; zero for a force that has none.
+    #[must_use]
     fn potential(&self, bodies: [&B; 2]) -> f64 {
         let _ = bodies;
         0.0
@@ -54,6 +55,7 @@ pub struct Pairs<L, P> {
 impl<L, P> Pairs<L, P> {
     /// The same `law` for all `pairs`, in their order.
     #[inline]
+    #[must_use]
     pub const fn new(law: L, pairs: P) -> Pairs<L, P> {
         Pairs { law, pairs }
     }

@@ -33,6 +33,7 @@ impl<S: Scalar, T: Copy> Default for PerStep<S, T> {
 
 impl<S: Scalar, T: Copy> PerStep<S, T> {
     /// Nothing made yet.
+    #[must_use]
     pub const fn new() -> Self {
         PerStep(None)
     }

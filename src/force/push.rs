@@ -32,6 +32,7 @@ pub struct Push<S> {
 impl<S: Scalar> Push<S> {
     /// `force` in N.
     #[inline]
+    #[must_use]
     pub const fn new(body: BodyId, force: Vec2<S>) -> Push<S> {
         Push { body, force }
     }

@@ -1,7 +1,8 @@
 //! Quadratic drag as a force, `F = -c |v| v`: air at the speed of a ball.
 //!
 //! Explicit, so it overshoots: monotone for `c |v| h / m < 1`, unstable from 2, where each step makes
-//! the body faster than it was. Of a fall under g the terminal speed is `sqrt(m g / c)`.
+//! the body faster than it was. Of a fall under g the terminal speed is `sqrt(m g / c)`; it attracts while
+//! `c |v| h / m < 1` there, and just beyond the speed swings about it.
 
 use crate::body::Body;
 use crate::error::Error;

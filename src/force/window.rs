@@ -30,6 +30,7 @@ impl<F> Window<F> {
     /// # Ok::<(), fixstep::Error>(())
     /// ```
     #[inline]
+    #[must_use]
     pub const fn new(ticks: Range<u64>, force: F) -> Window<F> {
         Window {
             ticks,

@@ -27,6 +27,7 @@ pub struct ConstantAcceleration<B, const N: usize> {
 
 impl<B, const N: usize> ConstantAcceleration<B, N> {
     /// With room for the copy.
+    #[must_use]
     pub const fn new() -> Self {
         ConstantAcceleration {
             seen: heapless::Vec::new(),

@@ -25,6 +25,7 @@ pub struct Euler<B, const N: usize> {
 
 impl<B, const N: usize> Euler<B, N> {
     /// With room for the copy.
+    #[must_use]
     pub const fn new() -> Self {
         Euler {
             seen: heapless::Vec::new(),

@@ -34,12 +34,15 @@ pub use stored::Stored;
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
     /// The factor nearest to `ratio`; `None` if it is out of range or would become zero.
     /// Zero itself is allowed where the factor may be zero.
+    #[must_use]
     fn new(ratio: Ratio) -> Option<Self>;
 
     /// `self * value`: nearest, odd, saturating.
+    #[must_use]
     fn of(self, value: S) -> S;
 
     /// The factor as it is represented, for reports and references.
+    #[must_use]
     fn to_f64(self) -> f64;
 }
 
@@ -70,69 +73,89 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     const MAX: Self;
 
     /// A span just below `ratio` and one just above, for use by turns; floats have but one.
+    #[must_use]
     fn spans(ratio: Ratio) -> Option<[Self::Span; 2]> {
         let span = Self::Span::new(ratio)?;
         Some([span, span])
     }
 
     /// The value nearest to `ratio`, `None` outside `-MAX..=MAX`.
+    #[must_use]
     fn ratio(ratio: Ratio) -> Option<Self>;
 
     /// `self + other`, saturating.
+    #[must_use]
     fn plus(self, other: Self) -> Self;
 
     /// `self - other`, saturating.
+    #[must_use]
     fn minus(self, other: Self) -> Self;
 
     /// `-self`, saturating.
+    #[must_use]
     fn negated(self) -> Self;
 
     /// `self * other`: nearest, odd, saturating.
+    #[must_use]
     fn times(self, other: Self) -> Self;
 
     /// `num / 2^shift * self`: nearest, odd, saturating; `num <= 2^30` and `1 <= shift <= 30`.
     /// Called with constants: a shift where `num` is 1.
+    #[must_use]
     fn dyadic(self, num: u32, shift: u32) -> Self;
 
     /// `h * self` for [`gained`](Scalar::gained), with more fraction than the scalar has.
+    #[must_use]
     fn gain(self, h: Self::Coef) -> Self::Gain;
 
     /// The part of a gain that falls to `tick`: the values of ticks `0..n` sum to n times the
     /// gain, rounded once. Floats return the gain itself.
+    #[must_use]
     fn gained(gain: Self::Gain, tick: u64) -> Self;
 
     /// `a.x * b.x + a.y * b.y` in the wide type.
+    #[must_use]
     fn dot(a: [Self; 2], b: [Self; 2]) -> Self::Sum;
 
     /// A wide sum as a scalar: nearest, odd, saturating.
+    #[must_use]
     fn narrow(sum: Self::Sum) -> Self;
 
     /// `sum / self`: nearest, odd, saturating; zero where `self` is not greater than zero.
+    #[must_use]
     fn under(self, sum: Self::Sum) -> Self;
 
     /// `sqrt(v.x² + v.y²)`. Fixed point forms the squares in the wide type: nearest, saturating.
     /// Floats form them in their own: infinite from about 1e19 in `f32`.
+    #[must_use]
     fn length(v: [Self; 2]) -> Self;
 
     /// `1 / sqrt(v.x² + v.y² + softening²)`, zero where all three are zero. Fixed point forms the
     /// squares in the wide type and keeps 30 bits of the result, however small it is.
+    #[must_use]
     fn inverse_length(v: [Self; 2], softening: Self) -> Self::Coef;
 
     /// The same number as a coefficient, exactly: a factor that changes with the state.
+    #[must_use]
     fn coef(self) -> Self::Coef;
 
     /// The mass, kg, nearest to one over its inverse.
+    #[must_use]
     fn mass(inverse: Self::InvMass) -> Self::Coef;
 
     /// The product of two coefficients, saturating.
+    #[must_use]
     fn product(a: Self::Coef, b: Self::Coef) -> Self::Coef;
 
     /// Whether the value is neither at an end of the range nor NaN nor infinite.
+    #[must_use]
     fn is_inside(self) -> bool;
 
     /// The exact bits, equal for values that are equal: one NaN, one zero.
+    #[must_use]
     fn bits(self) -> u64;
 
     /// The value, or the nearest `f64` to it. For reports; no step calls it.
+    #[must_use]
     fn to_f64(self) -> f64;
 }

@@ -15,9 +15,11 @@ pub trait Stored: Copy {
     const BYTES: usize;
 
     /// Its exact bits, in the lowest [`BYTES`](Stored::BYTES) bytes: NaN and -0 as they are.
+    #[must_use]
     fn store(self) -> u64;
 
     /// The number of these bits; `None` where no number has them.
+    #[must_use]
     fn restore(bits: u64) -> Option<Self>;
 }
 

@@ -1,0 +1,149 @@
+//! What is logged with defmt: the values, in their order. The texts between them stay in the ELF file
+//! and are not looked at; each stands in the log as two bytes.
+
+use std::cell::RefCell;
+
+use defmt::Format;
+use fixstep::fixed::types::I16F16;
+use fixstep::{
+    Accumulator, BodyId, Due, Error, Point, Ratio, SnapshotError, Stale, Vec2, World, dec, vec2,
+};
+
+thread_local! {
+    static LOG: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
+}
+
+#[defmt::global_logger]
+struct Logger;
+
+// SAFETY: each thread has a log of its own, so there is nothing to acquire.
+unsafe impl defmt::Logger for Logger {
+    fn acquire() {}
+
+    unsafe fn flush() {}
+
+    unsafe fn release() {}
+
+    unsafe fn write(bytes: &[u8]) {
+        LOG.with_borrow_mut(|log| log.extend(bytes));
+    }
+}
+
+defmt::timestamp!("{=u8}", 0);
+
+/// Asserts that `parts` stand in the log of `value`, one behind the other.
+#[track_caller]
+fn logs(value: &impl Format, parts: &[&[u8]]) {
+    LOG.take();
+    defmt::println!("{}", value);
+    let log = LOG.take();
+    let mut rest = log.as_slice();
+    for part in parts {
+        let place = rest.windows(part.len()).position(|window| window == *part);
+        let Some(place) = place else {
+            panic!("{part:x?} is not behind the others in {log:x?}");
+        };
+        rest = &rest[place + part.len()..];
+    }
+}
+
+fn point(x: i32) -> Point<f32> {
+    Point::new(vec2(x, 7).unwrap(), vec2(dec!(-1.5), 9).unwrap(), 1).unwrap()
+}
+
+fn float(value: f32) -> [u8; 4] {
+    value.to_le_bytes()
+}
+
+fn world() -> (World<Point<f32>, 2>, BodyId) {
+    let mut world = World::new();
+    world.add(point(3)).unwrap();
+    let second = world.add(point(5)).unwrap();
+    let step = fixstep::Step::hz(60).unwrap();
+    for _ in 0..0x1234 {
+        world.step(&mut fixstep::SemiImplicitEuler, &mut (), &step);
+    }
+    (world, second)
+}
+
+#[test]
+fn vectors_show_both_components() {
+    logs(&Vec2::new(1.5_f32, -2.25), &[&float(1.5), &float(-2.25)]);
+    let fixed: Vec2<I16F16> = vec2(dec!(1.5), dec!(-2.25)).unwrap();
+    logs(&fixed, &[b"1.5", b"-2.25"]);
+}
+
+#[test]
+fn points_show_position_and_velocity() {
+    let state = [3.0, 7.0, -1.5, 9.0].map(float);
+    logs(&point(3), &[&state[0], &state[1], &state[2], &state[3]]);
+}
+
+#[test]
+fn worlds_show_tick_and_bodies() {
+    let (world, second) = world();
+    let at = |i: usize| float(fixstep::Body::position(&world.bodies()[i]).x);
+    let tick = 0x1234_u64.to_le_bytes();
+    logs(
+        &world,
+        &[&tick, &2_u32.to_le_bytes(), &at(0), &at(1), &float(9.0)],
+    );
+    logs(&second, &[&1_u32.to_le_bytes()]);
+    logs(&Stale(second), &[&1_u32.to_le_bytes()]);
+}
+
+#[test]
+fn ratios_show_numerator_and_denominator() {
+    let (num, den) = ((-981_i64).to_le_bytes(), 100_u64.to_le_bytes());
+    logs(&dec!(-9.81), &[&num, &den]);
+    logs(&Ratio::from(-981), &[&num]);
+}
+
+#[test]
+fn a_frame_shows_what_is_due_and_what_is_dropped() {
+    let mut clock = Accumulator::new(1000, Ratio::new(1, 100).unwrap(), 4).unwrap();
+    let due: Due = clock.advance(770);
+    logs(&due, &[&4_u32.to_le_bytes(), &73_u64.to_le_bytes()]);
+}
+
+#[test]
+fn errors_show_the_value_they_refuse() {
+    let (field, value) = ("mass", dec!(-9.81));
+    let num = (-981_i64).to_le_bytes();
+    logs(&Error::NotPositive { field, value }, &[b"mass", &num]);
+    logs(&Error::Negative { field, value }, &[b"mass", &num]);
+    logs(&Error::OutOfRange { field, value }, &[b"mass", &num]);
+    logs(&Error::RoundsToZero { field, value }, &[b"mass", &num]);
+    logs(&Error::NotFinite { field }, &[b"mass"]);
+    logs(&Error::NotANumber { field }, &[b"mass"]);
+    logs(&Error::Empty { field }, &[b"mass"]);
+    let (mut world, _) = world();
+    let full = world.add(point(1)).unwrap_err();
+    logs(&full, &[&2_u32.to_le_bytes()]);
+}
+
+#[test]
+fn snapshot_errors_show_what_was_found() {
+    use SnapshotError::*;
+    let word = u32::to_le_bytes;
+    logs(
+        &Length {
+            needed: 112,
+            given: 64,
+        },
+        &[&word(112), &word(64)],
+    );
+    logs(&Version(0x5A7E), &[&0x5A7E_u16.to_le_bytes()]);
+    logs(&Kind(0x8001), &[&0x8001_u16.to_le_bytes()]);
+    logs(&Scalar(0x0200_0020), &[&word(0x0200_0020)]);
+    logs(
+        &Full {
+            bodies: 77,
+            capacity: 8,
+        },
+        &[&word(77), &word(8)],
+    );
+    for error in [NotASnapshot, Checksum, State] {
+        logs(&error, &[]);
+    }
+}

@@ -1,0 +1,24 @@
+//! Snapshots: what was saved goes on with the same bits, and nothing else is read.
+
+mod support;
+
+#[path = "snapshot/bodies.rs"]
+mod bodies;
+#[path = "snapshot/bytes.rs"]
+mod bytes;
+#[path = "snapshot/cuts.rs"]
+mod cuts;
+#[path = "snapshot/damage.rs"]
+mod damage;
+#[path = "snapshot/fuzz.rs"]
+mod fuzz;
+#[path = "snapshot/layout.rs"]
+mod layout;
+#[path = "snapshot/refusals.rs"]
+mod refusals;
+#[path = "snapshot/samples.rs"]
+mod samples;
+#[path = "snapshot/scenes.rs"]
+mod scenes;
+#[path = "snapshot/states.rs"]
+mod states;
