@@ -29,10 +29,10 @@
 //! | a stale id in a force | any step | none: the force waits | the other forces act |
 //! | a scene that leaves the range | any step | none: it saturates | `out_of_range` names the bodies |
 //! | a slice too short for a snapshot | [`World::save`](crate::World::save) | `Length` | the slice |
-//! | fewer or more bytes than a snapshot has | [`World::load`](crate::World::load) | `Length` | nothing was made |
+//! | a cut header, or another count than the bytes hold | [`World::load`](crate::World::load) | `Length` | nothing was made |
 //! | bytes that are no snapshot | [`World::load`](crate::World::load) | `NotASnapshot` | nothing was made |
 //! | a snapshot of another version | [`World::load`](crate::World::load) | `Version` | nothing was made |
-//! | a snapshot with a changed bit | [`World::load`](crate::World::load) | `Checksum` | nothing was made |
+//! | a snapshot with a changed bit, or cut behind its header | [`World::load`](crate::World::load) | `Checksum` | nothing was made |
 //! | a snapshot of another kind of body | [`World::load`](crate::World::load) | `Kind` | nothing was made |
 //! | a snapshot of another number type | [`World::load`](crate::World::load) | `Scalar` | nothing was made |
 //! | a snapshot of more bodies than there is room | [`World::load`](crate::World::load) | `Full` | nothing was made |

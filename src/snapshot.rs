@@ -10,8 +10,8 @@
 //!
 //! Little endian on every target. A [`Point`] of a 32-bit scalar takes 24 bytes. The world that is
 //! read continues with the same bits, on any target that makes the same bits. Forces, method and step
-//! are no part of it: the scene makes them as it did before. Within one program a clone of the world
-//! does the same for less.
+//! are no part of it: the scene makes them as it did before, for the ids it finds in
+//! [`World::ids`]. Within one program a clone of the world does the same for less.
 //!
 //! Nothing is read from bytes of which one was changed: a byte enters the sum by steps that can be
 //! undone, so no two inputs that differ in one byte have the same.
@@ -44,10 +44,11 @@ pub trait Saved: Body<S: Stored> {
     /// Tells kinds of bodies apart. Yours starts at `0x8000`.
     const KIND: u16;
 
-    /// Bytes of its state.
+    /// Bytes of its state: as many as `save` hands out and `load` takes.
     const BYTES: usize;
 
-    /// Hands its state to `write`, which takes the lowest bytes of a word and their number.
+    /// Hands its state to `write`, which takes the lowest bytes of a word and their number, 8 at
+    /// most.
     fn save(&self, write: &mut impl FnMut(u64, usize));
 
     /// The body of the state that `read` gives, in the order in which it was saved; `None` where no

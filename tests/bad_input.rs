@@ -100,10 +100,10 @@ rows! {
     stale_force, "a stale id in a force": waiting_force();
     range_left, "a scene that leaves the range": saturated();
     short_slice, "a slice too short for a snapshot": snapshots::short_slice();
-    other_length, "fewer or more bytes than a snapshot has": snapshots::other_length();
+    other_length, "a cut header, or another count than the bytes hold": snapshots::other_length();
     other_bytes, "bytes that are no snapshot": snapshots::other_bytes();
     other_version, "a snapshot of another version": snapshots::other_version();
-    changed_bit, "a snapshot with a changed bit": snapshots::changed_bit();
+    changed_bit, "a snapshot with a changed bit, or cut behind its header": snapshots::changed_bit();
     other_kind, "a snapshot of another kind of body": snapshots::other_kind();
     other_scalar, "a snapshot of another number type": snapshots::other_scalar();
     other_room, "a snapshot of more bodies than there is room": snapshots::other_room();

@@ -69,7 +69,9 @@ pub fn changed_bit() -> Errors {
         load(&bytes)
     };
     // Behind the version, which is looked at first.
-    (8 * 6..8 * bytes.len()).map(flipped).collect()
+    let mut errors: Errors = (8 * 6..8 * bytes.len()).map(flipped).collect();
+    errors.extend((HEADER..bytes.len()).map(|end| load(&bytes[..end])));
+    errors
 }
 
 /// A point that says it is something else.
