@@ -1,12 +1,10 @@
 //! A cannon ball in air: which elevation carries it farthest, in fixed point and in `f32`.
 //! `cargo run --example cannon` prints ranges and draws the paths.
-
 mod picture;
 
 use fixstep::fixed::types::I16F16;
-use fixstep::{
-    Body, GravityY, Point, QuadraticDrag, Ratio, Scalar, Step, Vec2, Verlet, World, dec, vec2,
-};
+use fixstep::{GravityY, Point, QuadraticDrag, Ratio, Scalar, Step, Vec2, Verlet, World};
+use fixstep::{dec, vec2};
 use picture::{BLUE, GREY, Picture, VERMILION};
 
 pub const SPEED: f64 = 100.0; // m/s
@@ -52,8 +50,9 @@ fn main() -> Fallible<()> {
         let (vacuum, float) = (range::<f32>(degrees, VACUUM)?, range::<f32>(degrees, AIR)?);
         let fixed = range::<I16F16>(degrees, AIR)?;
         println!("{degrees:8}° {vacuum:11.2} m {float:11.2} m {fixed:14.2} m");
+        let name = if degrees == best { "farthest" } else { "" };
         let color = if degrees == best { VERMILION } else { BLUE };
-        picture.line(color, "", &fly::<I16F16>(degrees, AIR)?);
+        picture.line(color, name, &fly::<I16F16>(degrees, AIR)?);
     }
     picture.dashes(GREY, "45° without air", &fly::<f32>(45, VACUUM)?);
     picture.save("cannon")

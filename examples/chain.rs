@@ -4,7 +4,7 @@
 mod picture;
 
 use fixstep::fixed::types::I8F24;
-use fixstep::{Anchor, Body, BodyId, GravityY, LinearDrag, Pairs, Point, Ratio, Spring, Step};
+use fixstep::{Anchor, BodyId, GravityY, LinearDrag, Pairs, Point, Ratio, Spring, Step};
 use fixstep::{Vec2, Verlet, World, dec, heapless::Vec as List, vec2};
 use picture::{BLUE, Picture, VERMILION};
 

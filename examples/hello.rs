@@ -1,7 +1,7 @@
 //! The scene of the README: a ball thrown into drag, in fixed point.
 
 use fixstep::fixed::types::I16F16;
-use fixstep::{Body, GravityY, LinearDrag, Point, Step, Verlet, World, dec, vec2};
+use fixstep::{GravityY, LinearDrag, Point, Step, Verlet, World, dec, vec2};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut world = World::<Point<I16F16>, 8>::new();

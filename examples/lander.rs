@@ -3,7 +3,7 @@
 mod picture;
 
 use fixstep::fixed::types::I16F16;
-use fixstep::{Accumulator, Between, Body, GravityY, PerBody, Point, Scalar, Step, Time, TimeStep};
+use fixstep::{Accumulator, Between, GravityY, PerBody, Point, Scalar, Step, Time};
 use fixstep::{Vec2, Verlet, World, dec, vec2};
 use picture::{BLUE, Picture, VERMILION};
 

@@ -2,7 +2,7 @@
 //! `cargo run --example orbit` prints them and draws the orbits.
 mod picture;
 
-use fixstep::{AllPairs, Body, Point, Pull, Step, Vec2, Verlet, World, dec, vec2};
+use fixstep::{AllPairs, Point, Pull, Step, Vec2, Verlet, World, dec, vec2};
 use picture::{BLUE, GREEN, Picture, VERMILION};
 
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;

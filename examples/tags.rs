@@ -1,7 +1,7 @@
 //! Colour and health of bodies: an array of your own beside the world, kept in step with it.
 //! `cargo run --example tags`
 use fixstep::fixed::types::I16F16;
-use fixstep::{Body, BodyId, Full, GravityY, Point, Stale, Step, Vec2, Verlet, World};
+use fixstep::{BodyId, Full, GravityY, Point, Stale, Step, Vec2, Verlet, World};
 use fixstep::{dec, heapless, vec2};
 
 type Ball = Point<I16F16>;
@@ -22,17 +22,13 @@ impl<T, const N: usize> Tagged<T, N> {
     }
 
     pub fn remove(&mut self, id: BodyId) -> Result<(Ball, T), Stale> {
-        let place = self.place(id)?;
+        let place = self.world.place(id)?;
         Ok((self.world.remove(id)?, self.tags.remove(place)))
     }
 
     pub fn tag(&mut self, id: BodyId) -> Result<&mut T, Stale> {
-        let place = self.place(id)?;
+        let place = self.world.place(id)?;
         self.tags.get_mut(place).ok_or(Stale(id))
-    }
-
-    fn place(&self, id: BodyId) -> Result<usize, Stale> {
-        self.world.ids().binary_search(&id).map_err(|_| Stale(id))
     }
 }
 

@@ -18,7 +18,7 @@ use crate::ratio::Ratio;
 /// Turns the counts of a clock (microseconds, timer ticks, frames of a display) into steps.
 ///
 /// ```
-/// use fixstep::{Accumulator, Step, TimeStep};
+/// use fixstep::{Accumulator, Step};
 /// let step = Step::<f32>::hz(60)?;
 /// let mut clock = Accumulator::new(1_000_000, step.seconds(), 4)?; // microseconds
 /// assert_eq!(clock.advance(16_000).steps, 0); // 16.67 ms make a step

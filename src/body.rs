@@ -97,6 +97,20 @@ impl<S: Scalar> Point<S> {
         })
     }
 
+    /// Position, m.
+    #[inline]
+    #[must_use]
+    pub const fn position(&self) -> Vec2<S> {
+        self.position
+    }
+
+    /// Velocity, m/s.
+    #[inline]
+    #[must_use]
+    pub const fn velocity(&self) -> Vec2<S> {
+        self.velocity
+    }
+
     /// From a state that was a point's before, NaN and all; `None` where the inverse mass is not
     /// finite or not greater than zero, as only the bits of a float can be.
     pub(crate) fn from_parts(

@@ -64,6 +64,13 @@ impl<S: Scalar> Step<S> {
         Self::of_length(seconds, field, value)
     }
 
+    /// Its length, exactly.
+    #[inline]
+    #[must_use]
+    pub const fn seconds(&self) -> Ratio {
+        self.seconds
+    }
+
     /// A step of `seconds`. Refuses what [`hz`](Step::hz) refuses.
     #[inline]
     pub fn from_seconds(seconds: impl Into<Ratio>) -> Result<Step<S>, Error> {
@@ -160,6 +167,13 @@ impl<S: Scalar, const NUM: u32, const SHIFT: u32> DyadicStep<S, NUM, SHIFT> {
             Err(_) => unreachable!(),
         }
     };
+
+    /// Its length, exactly.
+    #[inline]
+    #[must_use]
+    pub const fn seconds(&self) -> Ratio {
+        Self::SECONDS
+    }
 
     /// The step. Refused only by a scalar whose coefficients cannot hold its length.
     #[inline]

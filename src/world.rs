@@ -126,15 +126,20 @@ impl<B: Body, const N: usize> World<B, N> {
         self.bodies.clear();
     }
 
+    /// Where the body of that name stands in [`bodies`](World::bodies) and [`ids`](World::ids), for
+    /// arrays of your own beside them. Refuses a stale id.
+    pub fn place(&self, id: BodyId) -> Result<usize, Stale> {
+        id::position(&self.ids, id).ok_or(Stale(id))
+    }
+
     /// The body of that name. Refuses a stale id.
     pub fn get(&self, id: BodyId) -> Result<&B, Stale> {
-        let place = id::position(&self.ids, id).ok_or(Stale(id))?;
-        self.bodies.get(place).ok_or(Stale(id))
+        self.bodies.get(self.place(id)?).ok_or(Stale(id))
     }
 
     /// The body of that name, to be changed between steps. Refuses a stale id.
     pub fn get_mut(&mut self, id: BodyId) -> Result<&mut B, Stale> {
-        let place = id::position(&self.ids, id).ok_or(Stale(id))?;
+        let place = self.place(id)?;
         self.bodies.get_mut(place).ok_or(Stale(id))
     }
 

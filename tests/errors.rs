@@ -5,8 +5,8 @@ mod text;
 
 use fixstep::fixed::types::{I1F31, I8F24, I16F16};
 use fixstep::{
-    Anchor, Body, BodyId, DyadicStep, Error, LinearDrag, Point, Ratio, Spring, Step, Vec2, World,
-    dec, vec2,
+    Anchor, BodyId, DyadicStep, Error, LinearDrag, Point, Ratio, Spring, Step, Vec2, World, dec,
+    vec2,
 };
 
 fn ratio(num: i64, den: u64) -> Ratio {

@@ -8,7 +8,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
-use fixstep::{Body, Gravity, Step, Vec2, World};
+use fixstep::{Gravity, Step, Vec2, World};
 use support::*;
 
 const RATE: f64 = 60.0;

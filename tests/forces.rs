@@ -1,11 +1,18 @@
 //! Each force against values worked out by hand.
 
+#[path = "forces/air.rs"]
+mod air;
 #[path = "forces/custom.rs"]
 mod custom;
 #[path = "forces/masses.rs"]
 mod masses;
+#[path = "forces/pairs.rs"]
+mod pairs;
+#[path = "forces/pushes.rs"]
+mod pushes;
 #[path = "forces/springs.rs"]
 mod springs;
+mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{

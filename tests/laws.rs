@@ -8,6 +8,10 @@ mod integer;
 mod laws;
 #[path = "laws/precision.rs"]
 mod precision;
+#[path = "laws/verbs.rs"]
+mod verbs;
+#[path = "laws/verbs_built_in.rs"]
+mod verbs_built_in;
 
 use fixstep::Scalar;
 use fixstep::fixed::types::{I1F31, I1F63, I8F24, I12F20, I16F16, I20F12, I32F32};

@@ -4,7 +4,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{Anchor, Body, DyadicStep, Point, Step, TimeStep, World};
+use fixstep::{Anchor, DyadicStep, Point, Step, TimeStep, World};
 use support::*;
 
 const RATE: f64 = 60.0;

@@ -8,7 +8,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16};
-use fixstep::{Anchor, Body, PerBody, Point, Scalar, Step, Time, Vec2, World};
+use fixstep::{Anchor, PerBody, Point, Scalar, Step, Time, Vec2, World};
 use support::*;
 
 const STIFFNESS: f64 = 9.7;

@@ -11,7 +11,7 @@
 mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
-use fixstep::{Anchor, Body, Point, Scalar, Step, World};
+use fixstep::{Anchor, Point, Scalar, Step, World};
 use support::*;
 
 const RATE: f64 = 60.0;

@@ -6,11 +6,13 @@
 mod integer;
 #[path = "laws/mod.rs"]
 mod laws;
+#[path = "laws/verbs.rs"]
+mod verbs;
 
 use fixstep::scalar::Factor;
 use fixstep::{
-    Anchor, Body, DyadicStep, Gravity, Point, Ratio, Scalar, SemiImplicitEuler, Step, TimeStep,
-    Verlet, World, dec, vec2,
+    Anchor, DyadicStep, Gravity, Point, Ratio, Scalar, SemiImplicitEuler, Step, TimeStep, Verlet,
+    World, dec, vec2,
 };
 use integer::{Integer, Integers};
 
@@ -125,12 +127,8 @@ impl Scalar for Own {
 
     fn inverse_length(v: [Own; 2], softening: Own) -> Times {
         let square = Own::dot(v, v) + i128::from(softening.0) * i128::from(softening.0);
-        let root = (square as u128).isqrt() as i128;
-        Times(if root == 0 {
-            0
-        } else {
-            divided(1 << (FACTOR + FRACTION), root) as i64
-        })
+        let inverse = (1_u128 << (2 * (FACTOR + FRACTION))).checked_div(square as u128);
+        Times(inverse.map_or(0, u128::isqrt) as i64)
     }
 
     fn coef(self) -> Times {
@@ -138,7 +136,8 @@ impl Scalar for Own {
     }
 
     fn mass(inverse: Times) -> Times {
-        Times(divided(1 << (2 * FACTOR), inverse.0.into()) as i64)
+        let mass = divided(1 << (2 * FACTOR), inverse.0.into());
+        Times(mass.min(i64::MAX.into()) as i64)
     }
 
     fn product(a: Times, b: Times) -> Times {
@@ -170,6 +169,10 @@ impl Integer for Own {
     fn of_raw(raw: i128) -> Own {
         Own(raw.try_into().unwrap())
     }
+
+    fn represented(factor: impl Factor<Own>) -> laws::Dyadic {
+        integer::printed(factor)
+    }
 }
 
 #[test]
@@ -178,6 +181,13 @@ fn keeps_the_law() {
     laws::pairs::<Own, Integers>(1_000_000);
     laws::values::<Own, Integers>(20_000);
     laws::ratios::<Own, Integers>(20_000);
+}
+
+#[test]
+fn keeps_the_law_of_gravitation() {
+    verbs::inverse_lengths::<Own>(1, 100_000);
+    verbs::masses::<Own, Integers>(1, 100_000);
+    verbs::coefs::<Own, Integers>(100_000);
 }
 
 type Scene = (Gravity<Own>, Anchor<Own>);

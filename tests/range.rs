@@ -5,8 +5,8 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{
-    AllBodies, Anchor, Body, BodyId, Force, Gravity, LinearDrag, Pairs, PerBody, Point, Scalar,
-    Spring, Step, Time, Vec2, World,
+    AllBodies, AllPairs, Anchor, BodyId, Force, Gravity, LinearDrag, Pairs, PerBody, Point, Pull,
+    Push, QuadraticDrag, Scalar, Spring, Step, Time, Vec2, Window, World,
 };
 use support::*;
 
@@ -243,9 +243,16 @@ fn floats_beyond_the_range_are_reported() {
 }
 
 /// Every force, with coefficients up to the largest, tied to the bodies `ids`.
-fn hostile<S: Scalar>(ids: [BodyId; 2], strength: f64) -> impl Force<Point<S>> {
+fn hostile<S: Grid>(ids: [BodyId; 2], strength: f64) -> impl Force<Point<S>> {
     let wild = |v: Vec2<S>| Vec2::new(S::MAX.plus(v.x), S::MAX.minus(v.y).negated());
-    (
+    let pull = |softening| Pull::new(ratio(strength), ratio(softening)).unwrap();
+    let later = (
+        QuadraticDrag::new(ratio(strength)).unwrap(),
+        Push::new(ids[1], Vec2::new(S::MAX.negated(), S::MAX)),
+        Window::new(3..7, AllPairs(pull(1.0))),
+        AllPairs(pull(S::unit(0.0))),
+    );
+    let first = (
         Gravity::new(Vec2::new(S::MAX, S::MAX.negated())),
         LinearDrag::new(ratio(strength)).unwrap(),
         Anchor::new(
@@ -261,7 +268,8 @@ fn hostile<S: Scalar>(ids: [BodyId; 2], strength: f64) -> impl Force<Point<S>> {
         ),
         PerBody(move |_: Time, body: &Point<S>| wild(body.velocity())),
         AllBodies::<_, S, 4>::new(move |_: Time, all: &[Point<S>], _| wild(all[0].position())),
-    )
+    );
+    (first, later)
 }
 
 /// A random corner of the range: its ends, the middle, and their neighbours.

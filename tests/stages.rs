@@ -5,9 +5,9 @@ use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
 use fixstep::integrate::{drift, drift_half, kick};
 use fixstep::time::Now;
 use fixstep::{
-    AllBodies, Anchor, Body, BodyId, ConstantAcceleration, Euler, Force, Gravity, LinearDrag,
-    Method, Pairs, PerBody, Point, Scalar, SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2,
-    Verlet, World, dec, vec2,
+    AllBodies, AllPairs, Anchor, Body, BodyId, ConstantAcceleration, Euler, Force, Gravity,
+    LinearDrag, Method, Pairs, PerBody, Point, Pull, Push, QuadraticDrag, Scalar,
+    SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2, Verlet, Window, World, dec, vec2,
 };
 
 const N: usize = 3;
@@ -37,6 +37,22 @@ fn gravity<S: Scalar>() -> Gravity<S> {
 
 fn drag<S: Scalar>() -> LinearDrag<S> {
     LinearDrag::new(dec!(0.35)).unwrap()
+}
+
+fn air<S: Scalar>() -> QuadraticDrag<S> {
+    QuadraticDrag::new(dec!(0.12)).unwrap()
+}
+
+fn pull<S: Scalar>() -> AllPairs<Pull<S>> {
+    AllPairs(Pull::new(2, dec!(0.4)).unwrap())
+}
+
+/// For a part of the run.
+fn push<S: Scalar>(body: BodyId) -> Window<Push<S>> {
+    Window::new(
+        20..150,
+        Push::new(body, vec2(dec!(0.7), dec!(-1.3)).unwrap()),
+    )
 }
 
 fn anchor<S: Scalar>(body: BodyId) -> Anchor<S> {
@@ -108,13 +124,14 @@ fn hashes<S: Scalar>(
 
 fn fused_is_staged<S: Scalar>() {
     let [a, b, c] = scene::<S>().1;
-    let alone = || (gravity::<S>(), drag::<S>(), pulse());
+    let alone = || (gravity::<S>(), drag::<S>(), air::<S>(), pulse());
     let coupled = || {
         (
             gravity::<S>(),
             drag::<S>(),
             [spring([a, b]), spring([c, a])],
             anchor::<S>(c),
+            (pull::<S>(), push::<S>(b), air::<S>()),
         )
     };
 
@@ -237,9 +254,16 @@ fn order_does_not_matter<S: Scalar, M: Method<Point<S>, N>>(method: impl Fn() ->
         anchor::<S>(c),
     );
     let all = AllBodies::<_, S, N>::new(next::<S>);
-    let expected = hashes(&mut method(), &mut (g, s, d, all, k));
-    assert_eq!(hashes(&mut method(), &mut (k, all, d, s, g)), expected);
-    assert_eq!(hashes(&mut method(), &mut (d, k, g, all, s)), expected);
+    let more = || (pull::<S>(), push::<S>(b), air::<S>());
+    let expected = hashes(&mut method(), &mut (g, s, d, all, k, more()));
+    assert_eq!(
+        hashes(&mut method(), &mut (more(), k, all, d, s, g)),
+        expected
+    );
+    assert_eq!(
+        hashes(&mut method(), &mut (d, k, more(), g, all, s)),
+        expected
+    );
 }
 
 #[test]

@@ -5,8 +5,8 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16};
 use fixstep::{
-    AllBodies, Anchor, Body, BodyId, DyadicStep, Force, Gravity, LinearDrag, Pairs, PerBody, Point,
-    Scalar, Spring, Step, Time, TimeStep, Vec2, World,
+    AllBodies, AllPairs, Anchor, BodyId, DyadicStep, Force, Gravity, LinearDrag, Pairs, PerBody,
+    Point, Pull, Push, QuadraticDrag, Scalar, Spring, Step, Time, TimeStep, Vec2, Window, World,
 };
 use support::*;
 
@@ -94,7 +94,20 @@ fn forces<S: Scalar>(change: Change<S>, ids: [BodyId; 3]) -> impl Force<Point<S>
         Anchor::new(a, hook, ratio(23.0), ratio(1.7)).unwrap(),
         springs,
         PerBody(wind(change)),
+        (
+            QuadraticDrag::new(ratio(0.17)).unwrap(),
+            Pairs::new(gravitation(3.3), [[a, b], [c, a]]),
+            Push::new(b, change.direction(vector(0.83, 1.57))),
+            Window::new(
+                500..1500,
+                Push::new(c, change.direction(vector(-2.9, 0.71))),
+            ),
+        ),
     )
+}
+
+fn gravitation<S: Scalar>(constant: f64) -> Pull<S> {
+    Pull::new(ratio(constant), ratio(0.6)).unwrap()
 }
 
 /// A scene that can be stepped, whatever its forces.
@@ -282,7 +295,8 @@ fn the_order_of_insertion_does_not_matter() {
     check_order::<I8F24>();
 }
 
-/// Five bodies that draw and brake each other; sums of fixed point do not depend on their order.
+/// Five bodies that draw and brake each other. Sums of fixed point do not depend on their order; those
+/// of floats do, so a float that is drawn by all others must be added in its old place.
 fn crowd<S: Grid>(scheme: Scheme, places: [usize; 5]) -> Vec<[[Vec2<S>; 2]; 5]> {
     let mut world = World::<Point<S>, 5>::new();
     let mut ids = [None; 5];
@@ -311,7 +325,7 @@ fn crowd<S: Grid>(scheme: Scheme, places: [usize; 5]) -> Vec<[[Vec2<S>; 2]; 5]> 
         scheme,
         &Step::hz(60).unwrap(),
         5000,
-        (world, all),
+        (world, (all, AllPairs(gravitation(0.9)))),
         |world| {
             track.push(ids.map(|id| {
                 let body = world.get(id).unwrap();

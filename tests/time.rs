@@ -1,5 +1,8 @@
 //! Time is counted, and a step is as long as it says.
 
+#[path = "time/day.rs"]
+mod day;
+
 use std::cell::RefCell;
 
 use fixstep::fixed::types::{I8F24, I16F16, I20F12, I32F32};

@@ -24,7 +24,7 @@
 //! In the far scene both bodies fly in the scalar and the state is the difference of their
 //! displacements: E is zero.
 
-use fixstep::{Error, Scalar, Step, TimeStep, Vec2};
+use fixstep::{Error, Scalar, Step, Vec2};
 
 use crate::exact;
 use crate::represent::Represented;

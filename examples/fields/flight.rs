@@ -8,7 +8,7 @@
 //! In `f64`, so that what is seen is the error of the method and not of the numbers.
 
 use fixstep::{
-    Body, ConstantAcceleration, Error, Euler, Force, GravityY, LinearDrag, Method, Point, Ratio,
+    ConstantAcceleration, Error, Euler, Force, GravityY, LinearDrag, Method, Point, Ratio,
     SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
 };
 

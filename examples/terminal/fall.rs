@@ -3,7 +3,7 @@
 //! A fall gets `36 / q` ticks to settle, which leaves `(1 - q)^n < e^-36 = 2.3e-16` of the way, and
 //! is watched for `20 / q` more. No force reads the position: it may run to the end of the range.
 
-use fixstep::{Body, GravityY, LinearDrag, QuadraticDrag, Step};
+use fixstep::{GravityY, LinearDrag, QuadraticDrag, Step};
 
 use crate::scene::{Fall, Law, RATE};
 use crate::support::{Format, Scheme, point, ratio, world};

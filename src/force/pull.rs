@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Each body has its own coefficient and one rounding, so a grain is drawn to a planet as exactly as
-//! a planet to a planet; equal masses get opposite changes to the bit. The squared distance is formed
+//! a planet to a planet; equal masses get opposite changes to the bit. What the grain does to the
+//! planet is rounded too: below half a unit of velocity a step it is nothing. The squared distance is formed
 //! in the wide type: it cannot overflow, only the difference of positions saturates. Where bodies
 //! coincide `d` is zero, and so is the pull.
 //! Potential `-G m1 m2 / s`: the softening of Plummer. Source: Dehnen, Read, "N-body simulations of

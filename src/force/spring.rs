@@ -19,6 +19,10 @@ use crate::time::Now;
 use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them.
+///
+/// Under the splitting methods a damper sees what the pairs before it have just pushed: of springs in a
+/// row that hang, each is shorter by `c h / m` of the stretch of the one before. Damp a chain with drag.
+///
 /// [`Pairs`](crate::Pairs) says which.
 ///
 /// ```

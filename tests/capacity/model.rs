@@ -1,6 +1,6 @@
 //! A million random calls against a plain list of everything that was ever added.
 
-use fixstep::{Body, BodyId, Point, Stale, World, vec2};
+use fixstep::{BodyId, Point, Stale, World, vec2};
 
 const ROOM: usize = 32;
 

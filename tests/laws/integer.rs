@@ -197,7 +197,7 @@ impl<F: LeEqU64> Integer for FixedI64<F> {
 }
 
 /// 62 bits do not fit an `f64`, so they are read from what `Debug` prints.
-fn printed(factor: impl Debug) -> Dyadic {
+pub fn printed(factor: impl Debug) -> Dyadic {
     let text = format!("{factor:?}");
     let numbers: Vec<i128> = text
         .split(|c: char| !c.is_ascii_digit() && c != '-')
@@ -215,6 +215,10 @@ fn printed(factor: impl Debug) -> Dyadic {
         (Some("InvMass"), [packed]) => Dyadic {
             mantissa: packed & !31,
             shift: 52 + (packed & 31) as u32,
+        },
+        (Some("Times"), [mantissa]) => Dyadic {
+            mantissa: *mantissa,
+            shift: 40,
         },
         _ => panic!("no factor that is known here: {text}"),
     }

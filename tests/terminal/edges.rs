@@ -15,7 +15,7 @@
 //!
 //! h is 1/64 s, the mass 1 kg and v_t a power of two for quadratic drag: q and g h are exact.
 
-use fixstep::{Body, DyadicStep, Force, GravityY, LinearDrag, Point, QuadraticDrag};
+use fixstep::{DyadicStep, Force, GravityY, LinearDrag, Point, QuadraticDrag};
 
 use crate::support::{SCHEMES, Scheme, point, ratio, spread, within, world};
 
