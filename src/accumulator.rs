@@ -43,7 +43,8 @@ pub struct Accumulator {
 pub struct Due {
     /// Steps to make now.
     pub steps: u32,
-    /// Steps that are never made: time the scene has lost. Zero unless the frame was too long.
+    /// Steps that are never made: time the scene has lost. Zero unless the frame was too long;
+    /// saturates where more than 2^64 are due.
     pub dropped: u64,
 }
 
@@ -64,13 +65,18 @@ impl Accumulator {
         positive("counts_per_second", Ratio::whole(counts_per_second))?;
         positive("most", Ratio::whole(most))?;
         let (field, value) = ("seconds", positive("seconds", seconds.into())?);
+        // One count is den / (num counts_per_second) of a step; in lowest terms it has to fit.
+        let (num, den, counts) = (value.num() as u64, value.den(), counts_per_second as u64);
+        let by = common_divisor(den, counts);
+        let (den, counts) = (den / by, counts / by);
+        let by = common_divisor(den, num);
+        let per_step = (num / by)
+            .checked_mul(counts)
+            .filter(|&step| step <= 1 << 62);
         let error = Error::OutOfRange { field, value };
-        // One count is den / (num counts_per_second) of a step.
-        let step = value.num() as u128 * counts_per_second as u128;
-        let unit = Ratio::reduced(value.den() as u128, step).ok_or(error)?;
         Ok(Accumulator {
-            per_count: unit.num() as u64,
-            per_step: NonZero::new(unit.den()).ok_or(error)?,
+            per_count: den / by,
+            per_step: per_step.and_then(NonZero::new).ok_or(error)?,
             rest: 0,
             most,
         })
@@ -92,13 +98,32 @@ impl Accumulator {
         }
     }
 
+    /// The same where the product needs more than 64 bits: bit by bit, from the highest. No division
+    /// of 128 bits is linked for a case that a clock meets once in a lifetime.
     #[cold]
     #[inline(never)]
     fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
-        let total = counts as u128 * self.per_count as u128 + self.rest as u128;
-        let per_step = NonZero::<u128>::from(self.per_step);
-        let due = u64::try_from(total / per_step).unwrap_or(u64::MAX);
-        (due, (total % per_step) as u64)
+        let (whole, part) = (
+            self.per_count / self.per_step,
+            self.per_count % self.per_step,
+        );
+        let (mut due, mut rest) = (0_u64, 0);
+        for bit in (0..u64::BITS).rev() {
+            let (more, after) = match counts >> bit & 1 {
+                0 => (0, 0),
+                _ => (whole, part),
+            };
+            // Below three steps of at most 2^62.
+            let total = 2 * rest + after;
+            due = due.saturating_mul(2).saturating_add(more);
+            due = due.saturating_add(total / self.per_step);
+            rest = total % self.per_step;
+        }
+        let total = rest + self.rest;
+        (
+            due.saturating_add(total / self.per_step),
+            total % self.per_step,
+        )
     }
 
     /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
@@ -111,4 +136,13 @@ impl Accumulator {
     pub fn reset(&mut self) {
         self.rest = 0;
     }
+}
+
+/// Euclid's; of numbers greater than zero.
+fn common_divisor(a: u64, b: u64) -> NonZero<u64> {
+    let (mut divisor, mut rest) = (NonZero::new(a).unwrap_or(NonZero::<u64>::MIN), b);
+    while let Some(by) = NonZero::new(rest) {
+        (divisor, rest) = (by, divisor.get() % by);
+    }
+    divisor
 }

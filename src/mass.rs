@@ -9,7 +9,7 @@
 //!
 //! Masses are exact fractions, so no sum of them overflows a scalar; a point enters with its weight
 //! `m / M`, which is a coefficient. Each product is rounded once: n points put the centre at most
-//! `n / 2` units off, and never outside of the range.
+//! `n / 2` units off, at the end of the range one more, and never outside of it.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 7 to 10.
 
 use crate::body::{Point, finite};

@@ -36,6 +36,19 @@ impl Ratio {
         Ratio::new(num as i64, den as u64).ok()
     }
 
+    /// `num / den`, exact where 62 bits suffice, else to `2^-61` of the larger of itself and 1;
+    /// `den < 2^64`.
+    pub(crate) fn quotient(num: u128, den: u128) -> Option<Ratio> {
+        if (num | den).leading_zeros() >= 66 {
+            return Ratio::new(num as i64, den as u64).ok();
+        }
+        let by = NonZero::new(den)?;
+        let (whole, rest) = (num / by, num % by);
+        let shift = (whole | 1).leading_zeros().checked_sub(66)?.min(62);
+        let value = (whole << shift) + (rest << shift) / by;
+        Ratio::new(value as i64, 1 << shift).ok()
+    }
+
     /// `num / den` in lowest terms; `None` where that takes more than 62 bits.
     pub(crate) fn reduced(num: u128, den: u128) -> Option<Ratio> {
         let (mut divisor, mut rest) = (num, den);

@@ -240,10 +240,10 @@ impl<B: Saved, const N: usize> World<B, N> {
 /// Over all bytes but its own four.
 fn checksum(bytes: &[u8]) -> u32 {
     let mut sum = Fnv32::new();
-    for (place, &byte) in bytes.iter().enumerate() {
-        if !SUM.contains(&place) {
-            sum.write(byte);
-        }
+    for part in [bytes.get(..SUM.start), bytes.get(SUM.end..)] {
+        part.unwrap_or_default()
+            .iter()
+            .for_each(|&byte| sum.write(byte));
     }
     sum.0
 }
@@ -253,11 +253,13 @@ struct Writer<'a>(&'a mut [u8]);
 
 impl Writer<'_> {
     fn put(&mut self, word: u64, count: usize) {
-        for byte in word.to_le_bytes().into_iter().take(count) {
-            if let Some((first, rest)) = core::mem::take(&mut self.0).split_first_mut() {
-                *first = byte;
-                self.0 = rest;
-            }
+        if let Some((front, rest)) = core::mem::take(&mut self.0).split_at_mut_checked(count) {
+            let bytes = word.to_le_bytes();
+            front
+                .iter_mut()
+                .zip(bytes)
+                .for_each(|(to, byte)| *to = byte);
+            self.0 = rest;
         }
     }
 }

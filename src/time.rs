@@ -22,7 +22,7 @@ impl Time {
     pub fn seconds<S: Scalar>(self) -> S {
         let num = self.half_ticks as u128 * self.seconds.num() as u128;
         let den = self.seconds.den() as u128 * 2;
-        Ratio::nearest(num, den)
+        Ratio::quotient(num, den)
             .and_then(S::ratio)
             .unwrap_or(S::MAX)
     }

@@ -57,7 +57,7 @@ impl<B, const N: usize> Default for World<B, N> {
 
 impl<B: Body, const N: usize> World<B, N> {
     /// Adds a body behind the others. A full world gives it back.
-    #[inline]
+    #[inline(always)]
     pub fn add(&mut self, body: B) -> Result<BodyId, Full<B>> {
         let Some(id) = self.next else {
             return Err(Full::new(body, N));

@@ -5,12 +5,18 @@
 mod carry;
 #[path = "../examples/firmware/src/every_verb.rs"]
 mod every_verb;
+#[path = "../examples/firmware/src/force_scene.rs"]
+mod force_scene;
 #[path = "../examples/firmware/src/scene.rs"]
 mod scene;
 
 use carry::{Carried, Compensated};
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{Body, DyadicStep, Method, Point, SemiImplicitEuler, Step, TimeStep, Verlet, World};
+use fixstep::{
+    Body, DyadicStep, Error, Force, Method, Point, Scalar, SemiImplicitEuler, Step, Stored,
+    TimeStep, Verlet, World,
+};
+use force_scene::{Eight, Meter};
 use scene::POINTS;
 
 const RESULTS: &str = include_str!("../examples/firmware/results.tsv");
@@ -19,8 +25,10 @@ const README: &str = include_str!("../README.md");
 
 /// Steps that the image makes before it hashes.
 const STEPS: u32 = 600;
+/// The same of a scene with a force.
+const FORCE_STEPS: u32 = 200;
 
-fn rows() -> impl Iterator<Item = [&'static str; 6]> {
+fn rows() -> impl Iterator<Item = [&'static str; 7]> {
     RESULTS.lines().skip(1).map(|line| {
         let mut fields = line.split('\t');
         std::array::from_fn(|_| fields.next().unwrap_or(""))
@@ -63,62 +71,126 @@ where
     }
 }
 
+/// What each force or work beside the steps makes on the host.
+#[derive(Default)]
+struct Hashes(Vec<(String, u64)>);
+
+impl<S: Scalar> Meter<S> for Hashes {
+    fn force<F: Force<Point<S>>>(&mut self, name: &str, _: u32, mut force: F) -> Result<(), Error> {
+        let mut world = Eight::<S>::new();
+        force_scene::build(&mut world)?;
+        force_scene::run(&mut world, &mut force, &Step::hz(60)?, FORCE_STEPS);
+        self.0.push((name.into(), world.state_hash()));
+        Ok(())
+    }
+
+    fn work<T>(&mut self, name: &str, _: u32, work: impl FnOnce() -> T, hash: fn(T) -> u64) {
+        self.0.push((name.into(), hash(work())));
+    }
+}
+
+impl Hashes {
+    fn of<S: Scalar<InvMass: Stored> + Stored>() -> Hashes {
+        let mut hashes = Hashes::default();
+        force_scene::forces::<S>(&mut hashes).unwrap();
+        force_scene::beside::<S>(&mut hashes).unwrap();
+        hashes
+    }
+
+    fn named(&self, name: &str) -> u64 {
+        let found = self.0.iter().find(|(other, _)| other == name);
+        found.unwrap_or_else(|| panic!("no such scene: {name}")).1
+    }
+}
+
 #[test]
 fn the_host_makes_the_bits_of_the_targets() {
+    let (fixed, float) = (Hashes::of::<I16F16>(), Hashes::of::<f32>());
     let mut compared = 0;
-    for [target, body, step, method, _, expected] in rows() {
-        let hash = match body {
-            "flash of the scene" => continue,
-            "every verb" => every_verb::hash().unwrap(),
-            "I16F16" => by_step::<Point<I16F16>>(step, method),
-            "I8F24" => by_step::<Point<I8F24>>(step, method),
-            "f32" => by_step::<Point<f32>>(step, method),
-            "I16F16 carried" => by_step::<Carried>(step, method),
-            "f32 compensated" => by_step::<Compensated>(step, method),
-            other => panic!("no such body: {other}"),
+    for [target, scene, body, step, method, _, expected] in rows() {
+        let hash = match (scene, body) {
+            (scene, _) if scene.starts_with("flash") => continue,
+            ("every verb", _) => every_verb::hash().unwrap(),
+            ("gravity", "I16F16") => by_step::<Point<I16F16>>(step, method),
+            ("gravity", "I8F24") => by_step::<Point<I8F24>>(step, method),
+            ("gravity", "f32") => by_step::<Point<f32>>(step, method),
+            ("gravity", "I16F16 carried") => by_step::<Carried>(step, method),
+            ("gravity", "f32 compensated") => by_step::<Compensated>(step, method),
+            (scene, "I16F16") => fixed.named(scene),
+            (scene, "f32") => float.named(scene),
+            other => panic!("no such row: {other:?}"),
         };
         assert_eq!(
             format!("{hash:x}"),
             expected,
-            "{target} {body} {step} {method}"
+            "{target} {scene} {body} {step} {method}"
         );
         compared += 1;
     }
-    assert_eq!(compared, 2 * 11);
+    assert_eq!(compared, 2 * (11 + 2 * 11));
 }
 
-/// A row of the README's table: `| body | step | method | M0+ | M4F |`.
+/// The cell of the README's row that begins with `start`.
+fn cell(start: &str, column: usize) -> &'static str {
+    let row = README.lines().find(|line| line.starts_with(start));
+    let row = row.unwrap_or_else(|| panic!("the README lacks {start}"));
+    row.split('|').nth(column).unwrap_or("").trim()
+}
+
+/// A row of the README's first table: `| body | step | method | M0+ | M4F |`.
 #[test]
-fn the_readme_says_what_was_measured() {
+fn the_readme_says_what_a_step_costs() {
     let mut told = 0;
-    for [target, body, step, method, figure, _] in rows() {
-        if body == "every verb" {
-            continue;
-        }
-        if body == "flash of the scene" {
-            let (bytes, level) = figure.split_once(" bytes at opt-level ").unwrap();
-            let sentence = match level {
-                "3" => format!("takes {bytes} bytes of flash"),
-                _ => format!("{bytes} at `{level}`"),
-            };
-            assert!(
-                README.contains(&sentence),
-                "the README does not say: {sentence}"
-            );
-            continue;
-        }
+    for [target, _, body, step, method, figure, _] in rows().filter(|row| row[1] == "gravity") {
         let start = format!("| {body} | {step} | {method} |");
-        let row = README.lines().find(|line| line.starts_with(&start));
-        let row = row.unwrap_or_else(|| panic!("the README lacks {start}"));
         let column = if target.starts_with("thumbv6m") { 4 } else { 5 };
-        assert_eq!(
-            row.split('|').nth(column).unwrap().trim(),
-            figure,
-            "{target}: {row}"
-        );
+        assert_eq!(cell(&start, column), figure, "{target}: {start}");
         told += 1;
     }
     assert_eq!(told, 2 * 10);
+}
+
+/// A row of its second: `| force | unit | M0+ I16F16 | M0+ f32 | M4F I16F16 | M4F f32 |`.
+#[test]
+fn the_readme_says_what_a_force_costs() {
+    let mut told = 0;
+    for [target, scene, body, _, _, figure, _] in rows() {
+        if ["gravity", "every verb"].contains(&scene) || scene.starts_with("flash") {
+            continue;
+        }
+        let core = if target.starts_with("thumbv6m") { 3 } else { 5 };
+        let column = core + (body == "f32") as usize;
+        let rounded = figure.parse::<f64>().unwrap().round();
+        let said = cell(&format!("| `{scene}` |"), column);
+        assert_eq!(said, rounded.to_string(), "{target} {scene} {body}");
+        told += 1;
+    }
+    assert_eq!(told, 2 * 2 * 11);
+}
+
+#[test]
+fn the_readme_says_what_it_takes_in_flash() {
+    let mut told = 0;
+    for [_, scene, _, _, _, figure, _] in rows().filter(|row| row[1].starts_with("flash")) {
+        let (bytes, level) = figure.split_once(" bytes at opt-level ").unwrap();
+        let sentence = match (scene, level) {
+            ("flash of gravity", "3") => format!("takes {bytes} bytes of flash"),
+            ("flash of gravity", _) => format!("{bytes} at `{level}`"),
+            ("flash of quadratic_drag more", _) => format!("quadratic drag {bytes}"),
+            ("flash of spring more", _) => format!("springs {bytes}"),
+            ("flash of pull more", _) => format!("pulls {bytes}"),
+            ("flash of accumulator more", _) => format!("an accumulator {bytes}"),
+            ("flash of snapshot more", _) => format!("saving and loading {bytes}"),
+            other => panic!("no such row: {other:?}"),
+        };
+        let text = README.replace('\n', " ");
+        assert!(
+            text.contains(&sentence),
+            "the README does not say: {sentence}"
+        );
+        told += 1;
+    }
+    assert_eq!(told, 2 + 5);
 }
 
 /// The rounded figures of the bodies that carry, in ARCHITECTURE.md: `| body | bytes | M0+ | M4F |`.
@@ -137,9 +209,9 @@ fn the_architecture_says_what_was_measured() {
         size_of::<Compensated>(),
     ];
     for ((name, title), size) in names.into_iter().zip(sizes) {
-        let mut figures = rows()
-            .filter(|row| row[1] == name && row[2] == "1/60" && row[3] == "SemiImplicitEuler");
-        let mut next = || figures.next().unwrap()[4].parse::<f64>().unwrap().round();
+        let wanted = ["gravity", name, "1/60", "SemiImplicitEuler"];
+        let mut figures = rows().filter(|row| row[1..5] == wanted);
+        let mut next = || figures.next().unwrap()[5].parse::<f64>().unwrap().round();
         let (m0, m4) = (next(), next());
         let row = ARCHITECTURE
             .lines()

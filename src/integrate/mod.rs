@@ -42,7 +42,7 @@ pub trait Method<B: Body, const N: usize> {
     );
 
     /// Where a body was at a part of the step from `before` to `after`: on the straight line, for a
-    /// method whose bodies keep one velocity through a step.
+    /// method whose bodies keep one velocity through a step. A method that wraps another hands this on.
     #[inline]
     #[must_use]
     fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {

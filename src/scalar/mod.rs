@@ -16,10 +16,12 @@
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
+mod division;
 mod factor;
 mod fixed_point;
 mod float;
 mod high_product;
+mod integer;
 mod raw;
 mod stored;
 

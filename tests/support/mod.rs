@@ -5,8 +5,8 @@
 use fixstep::fixed::types::extra::{LeEqU32, LeEqU64};
 use fixstep::fixed::{FixedI32, FixedI64};
 use fixstep::{
-    Anchor, Body, BodyId, ConstantAcceleration, Euler, Force, Method, Point, Ratio, Scalar,
-    SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
+    Anchor, Between, Body, BodyId, ConstantAcceleration, Euler, Force, Method, Point, Ratio,
+    Scalar, SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
 };
 
 /// A scalar that knows its name and the distance to its next value.
@@ -139,6 +139,15 @@ impl<B: Body, const N: usize> Method<B, N> for Chosen<B, N> {
             Chosen::Constant(method) => method.step(ids, bodies, forces, step, tick),
             Chosen::Semi(method) => Method::<B, N>::step(method, ids, bodies, forces, step, tick),
             Chosen::Verlet(method) => Method::<B, N>::step(method, ids, bodies, forces, step, tick),
+        }
+    }
+
+    fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+        match self {
+            Chosen::Euler(method) => method.between(part, before, after),
+            Chosen::Constant(method) => method.between(part, before, after),
+            Chosen::Semi(method) => Method::<B, N>::between(method, part, before, after),
+            Chosen::Verlet(method) => Method::<B, N>::between(method, part, before, after),
         }
     }
 }

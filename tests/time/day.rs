@@ -91,3 +91,18 @@ fn seconds_are_nearest_at_every_age() {
         assert!(is_nearest(seconds, exact), "{seconds} s, tick {tick}");
     }
 }
+
+// In decimals numerator and denominator grow beyond 62 bits. The exact time is rounded to 53 bits
+// three times, and so is the result once: 2 eps.
+#[test]
+fn seconds_of_a_decimal_step_are_right_at_every_age() {
+    for length in [dec!(0.01666666666666667), dec!(0.016666667), dec!(0.016)] {
+        let step = Step::<f64>::from_seconds(length).unwrap();
+        for tick in (0..62).map(|n| (1_u64 << n) + 12_345) {
+            let seconds = Now::start(&step, tick).time::<f64>().seconds::<f64>();
+            let num = u128::from(tick) * length.num() as u128;
+            let error = (seconds / (num as f64 / length.den() as f64) - 1.0).abs();
+            assert!(error <= 2.0 * f64::EPSILON, "{length} s, tick {tick}");
+        }
+    }
+}

@@ -4,8 +4,10 @@
 pub mod carry;
 pub mod count;
 pub mod every_verb;
+pub mod force_scene;
 pub mod print;
 pub mod scene;
+pub mod weigh;
 
 /// Defined nowhere: an image in which a panic is possible does not link.
 #[panic_handler]

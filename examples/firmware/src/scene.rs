@@ -1,6 +1,6 @@
 //! The gravity scene: 32 points that fall side by side. The host tests run the same file.
 
-use fixstep::{Body, Error, GravityY, Method, Point, Scalar, TimeStep, World, dec, vec2};
+use fixstep::{Body, Error, Force, GravityY, Method, Point, Scalar, TimeStep, World, dec, vec2};
 
 /// Points in the scene.
 pub const POINTS: usize = 32;
@@ -25,18 +25,19 @@ pub fn gravity<S: Scalar>() -> Result<GravityY<S>, Error> {
 
 /// Makes `steps` steps; not inlined, so that it can be looked at.
 #[inline(never)]
-pub fn run<B, M, H>(
+pub fn run<B, M, H, F>(
     world: &mut World<B, POINTS>,
     method: &mut M,
     step: &H,
-    gravity: &mut GravityY<B::S>,
+    forces: &mut F,
     steps: u32,
 ) where
     B: Body,
     M: Method<B, POINTS>,
     H: TimeStep<B::S>,
+    F: Force<B>,
 {
     for _ in 0..steps {
-        world.step(method, gravity, step);
+        world.step(method, forces, step);
     }
 }

@@ -1,0 +1,123 @@
+//! Eight points and one force at a time: what a force costs is the difference to the same scene
+//! without it. The host tests run the same file.
+
+use core::hint::black_box;
+
+use fixstep::snapshot::HEADER;
+use fixstep::{
+    Accumulator, AllPairs, Anchor, Between, BodyId, Error, Force, LinearDrag, Pairs, PerBody,
+    Point, Pull, Push, QuadraticDrag, Scalar, SemiImplicitEuler, Spring, Step, Stored, Time, Vec2,
+    World, dec, vec2,
+};
+
+/// Points in the scene.
+pub const POINTS: usize = 8;
+
+/// The world of the scene.
+pub type Eight<S> = World<Point<S>, POINTS>;
+
+/// Prices what it is shown.
+pub trait Meter<S: Scalar> {
+    /// A force that acts on so many bodies or pairs.
+    fn force<F: Force<Point<S>>>(&mut self, name: &str, units: u32, force: F) -> Result<(), Error>;
+
+    /// Work of so many units; `hash` looks at what it made and is not counted.
+    fn work<T>(&mut self, name: &str, units: u32, work: impl FnOnce() -> T, hash: fn(T) -> u64);
+}
+
+/// Points of 1.5 kg on two rows, each with another velocity.
+pub fn build<S: Scalar>(world: &mut Eight<S>) -> Result<(), Error> {
+    world.clear();
+    for i in 0..POINTS as i32 {
+        let position = vec2(3 * i - 11, 5 * (i & 1) - i)?;
+        let point = Point::new(position, vec2(i - 3, 4 - i)?, dec!(1.5))?;
+        let _ = world.add(point);
+    }
+    Ok(())
+}
+
+/// Makes `steps` steps.
+#[inline(never)]
+pub fn run<S: Scalar>(
+    world: &mut Eight<S>,
+    force: &mut impl Force<Point<S>>,
+    step: &Step<S>,
+    steps: u32,
+) {
+    for _ in 0..steps {
+        world.step(&mut SemiImplicitEuler, force, step);
+    }
+}
+
+/// Shows every force to `meter`; none at all comes first.
+pub fn forces<S: Scalar>(meter: &mut impl Meter<S>) -> Result<(), Error> {
+    let mut world = Eight::<S>::new();
+    build(&mut world)?;
+    let Ok(ids) = <[BodyId; POINTS]>::try_from(world.ids()) else {
+        return Ok(());
+    };
+    let [a, b, c, d, e, f, g, h] = ids;
+    let chain = [[a, b], [b, c], [c, d], [d, e], [e, f], [f, g], [g, h]];
+    let (thrust, origin) = (vec2(2, -1)?, vec2(1, 2)?);
+    let mild = S::ratio(dec!(0.25)).unwrap_or(S::ZERO);
+    let wind = PerBody(move |_: Time, _: &Point<S>| Vec2::new(mild, S::ZERO));
+    let pull = Pull::new(black_box(10), dec!(0.5))?;
+    let anchor = Anchor::new(a, origin, 20, dec!(0.5))?;
+    let [_, rest @ ..] = ids;
+    let mut anchors = [anchor; POINTS];
+    for (place, id) in anchors.iter_mut().skip(1).zip(rest) {
+        *place = Anchor::new(id, origin, 20, dec!(0.5))?;
+    }
+    meter.force("no force", 1, ())?;
+    meter.force("LinearDrag", 8, LinearDrag::new(dec!(0.1))?)?;
+    meter.force("QuadraticDrag", 8, QuadraticDrag::new(dec!(0.05))?)?;
+    meter.force("PerBody", 8, wind)?;
+    meter.force("Push", 8, ids.map(|id| Push::new(id, thrust)))?;
+    meter.force("Anchor", 8, anchors)?;
+    meter.force(
+        "Pairs<Spring>",
+        7,
+        Pairs::new(Spring::new(2, 40, dec!(0.5))?, chain),
+    )?;
+    meter.force("Pairs<Pull>", 7, Pairs::new(pull, chain))?;
+    meter.force("AllPairs<Pull>", 28, AllPairs(pull))
+}
+
+/// Shows what is done beside the steps: nothing at all, then frames, pictures, snapshots.
+pub fn beside<S>(meter: &mut impl Meter<S>) -> Result<(), Error>
+where
+    S: Scalar<InvMass: Stored> + Stored,
+{
+    let step = Step::<S>::hz(60)?;
+    let mut before = Eight::<S>::new();
+    build(&mut before)?;
+    let mut after = before.clone();
+    run(black_box(&mut after), &mut (), &step, 1);
+    let part = Between::new(black_box(dec!(0.3)), &step)?;
+    let mut clock = Accumulator::new(1_000_000, step.seconds(), black_box(4))?;
+    meter.work("nothing", 1, || 0, |_| 0);
+    let mut frame = || clock.advance(black_box(16_000)).steps;
+    let frames = || (0..100).fold(0, |sum, _| sum + frame());
+    meter.work("Accumulator::advance", 100, frames, u32::into);
+    let picture = || {
+        let mut drawn = [Vec2::<S>::ZERO; POINTS];
+        let places = black_box(&after).between(&before, &SemiImplicitEuler, &part);
+        for (to, (_, at)) in drawn.iter_mut().zip(places) {
+            *to = at;
+        }
+        drawn
+    };
+    meter.work("World::between", 8, picture, |drawn| {
+        let bits = drawn.iter().flat_map(|at| at.array()).map(S::bits);
+        bits.fold(0_u64, |sum, bits| sum.wrapping_mul(31) ^ bits)
+    });
+    let snapshot = || {
+        let mut bytes = [0; HEADER + 24 * POINTS];
+        black_box(&after).save(black_box(&mut bytes)).map(|_| bytes)
+    };
+    meter.work("World::save", 8, snapshot, |bytes| {
+        let bytes = bytes.into_iter().flatten();
+        bytes.fold(0_u64, |sum, byte| sum.wrapping_mul(31) ^ byte as u64)
+    });
+    Ok(())
+}
