@@ -1,13 +1,13 @@
 //! The committed figures of the firmware: the host makes the same bits, and the README the same
 //! numbers. The figures themselves come from `examples/firmware/run`.
 
-#[path = "../examples/firmware/src/carry.rs"]
+#[path = "firmware/carry.rs"]
 mod carry;
-#[path = "../examples/firmware/src/every_verb.rs"]
+#[path = "firmware/every_verb.rs"]
 mod every_verb;
-#[path = "../examples/firmware/src/force_scene.rs"]
+#[path = "firmware/force_scene.rs"]
 mod force_scene;
-#[path = "../examples/firmware/src/scene.rs"]
+#[path = "firmware/scene.rs"]
 mod scene;
 
 use carry::{Carried, Compensated};
@@ -19,7 +19,7 @@ use fixstep::{
 use force_scene::{Eight, Meter};
 use scene::POINTS;
 
-const RESULTS: &str = include_str!("../examples/firmware/results.tsv");
+const RESULTS: &str = include_str!("firmware/results.tsv");
 const ARCHITECTURE: &str = include_str!("../ARCHITECTURE.md");
 const README: &str = include_str!("../README.md");
 

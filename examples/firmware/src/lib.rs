@@ -1,11 +1,16 @@
-//! What the images share: the board's counter, a printer, and a panic handler that cannot link.
+//! What the images share: the board's counter, a printer, and a panic handler that cannot link. The
+//! scenes are those of the host's tests.
 #![no_std]
 
+#[path = "../../../tests/firmware/carry.rs"]
 pub mod carry;
 pub mod count;
+#[path = "../../../tests/firmware/every_verb.rs"]
 pub mod every_verb;
+#[path = "../../../tests/firmware/force_scene.rs"]
 pub mod force_scene;
 pub mod print;
+#[path = "../../../tests/firmware/scene.rs"]
 pub mod scene;
 pub mod weigh;
 
