@@ -43,7 +43,7 @@ pub trait Raw: Copy + Debug + PartialEq + 'static {
     fn length(v: [Self; 2]) -> Self;
 
     /// `(m, up)` with `1 / sqrt(x² + y² + s²) = m / 2^(2 BITS - 2 - up)`, m of `BITS - 1` bits and
-    /// off by less than two units; `(0, 0)` where all are zero.
+    /// off by less than a unit; `(0, 0)` where all are zero.
     fn inverse_length(v: [Self; 2], s: Self) -> (Self, u32);
 
     /// `2^(2 BITS - 4) / self`, nearest, for a self of `BITS - 1` bits; zero for zero.
