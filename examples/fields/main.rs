@@ -9,6 +9,7 @@
 //! | `canvas`, `chart` | what both pictures share: pixels; axes, slopes, marks |
 //! | `fig1`, `fig2` | the pictures |
 
+#[path = "../picture/canvas.rs"]
 mod canvas;
 mod chart;
 mod csv;

@@ -12,7 +12,7 @@
 //! | `support` | number types that know their unit, methods by name: from the tests |
 
 mod bound;
-#[path = "../fields/canvas.rs"]
+#[path = "../picture/canvas.rs"]
 mod canvas;
 mod chart;
 mod csv;
