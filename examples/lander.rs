@@ -37,10 +37,10 @@ pub fn land() -> Fallible<(f64, [u64; 2], Seen)> {
             if world.get(id)?.position().y > 0 {
                 before.clone_from(&world);
                 world.step(&mut Verlet, &mut forces, &step);
+                steps[0] += 1;
             }
         }
         time += frame as f64 * 1e-6;
-        steps[0] += u64::from(due.steps);
         steps[1] += due.dropped;
         let part = Between::new(clock.fraction(), &step)?;
         for ((_, at), lander) in world.between(&before, &Verlet, &part).zip(world.bodies()) {

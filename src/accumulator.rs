@@ -6,7 +6,7 @@
 //! ```
 //!
 //! All of it in integers, so that after any number of frames the steps are `floor(elapsed / h)`: no
-//! clock drifts against another. A frame that took too long makes no more than `most` steps; the
+//! clock drifts against another. A frame that took too long makes no more than `max_steps`; the
 //! rest of its whole steps is dropped and reported, or each frame would take longer than the one
 //! before. Source of the scheme: Fiedler, "Fix Your Timestep!" (Gaffer on Games), who keeps it in floats.
 
@@ -33,7 +33,7 @@ pub struct Accumulator {
     per_count: u64,
     per_step: NonZero<u64>,
     rest: u64,
-    most: u32,
+    max_steps: u32,
 }
 
 /// What a frame is due.
@@ -49,21 +49,21 @@ pub struct Due {
 }
 
 impl Accumulator {
-    /// For a clock of so many counts per second and steps of `seconds`; a frame makes at most `most`.
+    /// For a clock of so many counts per second and steps of `seconds`; a frame makes `max_steps` or fewer.
     ///
     /// Refuses a clock that stands still, steps of no length, no steps at all, and a clock and a
     /// step whose common unit is below `2^-62` of the step.
     pub fn new(
         counts_per_second: u32,
         seconds: impl Into<Ratio>,
-        most: u32,
+        max_steps: u32,
     ) -> Result<Self, Error> {
         let positive = |field, value: Ratio| match value.num() {
             ..=0 => Err(Error::NotPositive { field, value }),
             _ => Ok(value),
         };
         positive("counts_per_second", Ratio::whole(counts_per_second))?;
-        positive("most", Ratio::whole(most))?;
+        positive("max_steps", Ratio::whole(max_steps))?;
         let (field, value) = ("seconds", positive("seconds", seconds.into())?);
         // One count is den / (num counts_per_second) of a step; in lowest terms it has to fit.
         let (num, den, counts) = (value.num() as u64, value.den(), counts_per_second as u64);
@@ -78,7 +78,7 @@ impl Accumulator {
             per_count: den / by,
             per_step: per_step.and_then(NonZero::new).ok_or(error)?,
             rest: 0,
-            most,
+            max_steps,
         })
     }
 
@@ -91,7 +91,7 @@ impl Accumulator {
             None => self.after_a_long_time(counts),
         };
         self.rest = rest;
-        let steps = due.min(self.most as u64);
+        let steps = due.min(self.max_steps as u64);
         Due {
             steps: steps as u32,
             dropped: due - steps,

@@ -8,7 +8,7 @@ use crate::error::{Error, Full};
 use crate::id::{BodyId, Stale};
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
-use crate::snapshot::SnapshotError;
+use crate::snapshot::{SnapshotError, VERSION};
 use crate::vec2::Vec2;
 use crate::world::World;
 
@@ -65,12 +65,16 @@ impl Format for Error {
                 write!(f, "{=str} {} is out of range", field, value)
             }
             Error::RoundsToZero { field, value } => {
+                write!(f, "{=str} {} is too small to be held", field, value)
+            }
+            Error::Full { capacity } => {
                 write!(
                     f,
-                    "{=str} {} is too small to be told from zero",
-                    field, value
+                    "a world for {=usize} bodies has no room for another",
+                    capacity
                 )
             }
+            Error::Stale { serial } => write!(f, "body {=u32} is not in the world", serial),
             Error::NotFinite { field } => {
                 write!(f, "{=str} is NaN, infinite or too large", field)
             }
@@ -83,17 +87,13 @@ impl Format for Error {
 
 impl<B> Format for Full<B> {
     fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "a world for {=usize} bodies has no room for another",
-            self.capacity
-        );
+        Error::from(self).format(f);
     }
 }
 
 impl Format for Stale {
     fn format(&self, f: Formatter) {
-        write!(f, "body {=u32} is not in the world", self.0.serial());
+        Error::from(*self).format(f);
     }
 }
 
@@ -109,7 +109,11 @@ impl Format for SnapshotError {
                 )
             }
             NotASnapshot => write!(f, "these bytes are no snapshot"),
-            Version(version) => write!(f, "snapshot has version {=u16}", version),
+            Version(version) => write!(
+                f,
+                "snapshot has version {=u16}, this reads {=u16}",
+                version, VERSION
+            ),
             Checksum => write!(f, "snapshot was damaged: its checksum is wrong"),
             Kind(kind) => write!(f, "snapshot has bodies of another kind: {=u16}", kind),
             Scalar(format) => write!(f, "snapshot has another number type: {=u32:#010x}", format),

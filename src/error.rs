@@ -15,19 +15,23 @@
 //! | a rate of zero or less | [`Step::hz`](crate::Step::hz) | `NotPositive` | no step was made |
 //! | a step of a quarter second or more, or too short | [`Step`](crate::Step): `hz`, `from_seconds` | `OutOfRange` | no step was made |
 //! | a coefficient below zero | every force | `Negative` | no force was made |
-//! | a coefficient that is too large | every force | `OutOfRange` | no force was made |
+//! | a coefficient that is too large, or a softening too small for it | every force | `OutOfRange` | no force was made |
 //! | a coefficient or softening that would be zero, but is not | every force | `RoundsToZero` | no force was made |
 //! | a length or acceleration outside of the scalar | [`Spring`](crate::Spring), [`Pull`](crate::Pull), [`GravityY`](crate::GravityY) | `OutOfRange` | no force was made |
 //! | a softening of zero or less | [`Pull::new`](crate::Pull::new) | `NotPositive` | no force was made |
 //! | no point masses | [`CentreOfMass::of`](crate::CentreOfMass::of) | `Empty` | nothing was made |
 //! | a point mass of zero or less | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotPositive` | nothing was made |
+//! | a point mass that is NaN or infinite | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotFinite` | nothing was made |
+//! | a total mass that no fraction of 62 bits, or no body, can hold | [`CentreOfMass`](crate::CentreOfMass): `of`, `point` | `OutOfRange` | nothing was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
 //! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |
-//! | a body for a full world | [`World::add`](crate::World::add) | `Full` | the world; the body comes back |
-//! | a stale id | [`World`](crate::World): `get`, `get_mut`, `remove` | `Stale` | the world |
+//! | a body for a full world, or one that has given `2^32` ids | [`World::add`](crate::World::add) | `Full` | the world; the body comes back |
+//! | a stale id | [`World`](crate::World): `get`, `get_mut`, `remove`, `place` | `Stale` | the world |
 //! | a stale id in a force | any step | none: the force waits | the other forces act |
-//! | a scene that leaves the range | any step | none: it saturates | `out_of_range` names the bodies |
+//! | a scene that leaves the range | any step | none: fixed point saturates, floats become infinite | `out_of_range` names the bodies |
+//! | NaN in a vector or from a function that a force was given | any step | none: it spreads to the body | `out_of_range` names the body |
+//! | fewer places in `AllBodies` than bodies | any step | none: the others feel nothing | the bodies it has places for |
 //! | a slice too short for a snapshot | [`World::save`](crate::World::save) | `Length` | the slice |
 //! | a cut header, or another count than the bytes hold | [`World::load`](crate::World::load) | `Length` | nothing was made |
 //! | bytes that are no snapshot | [`World::load`](crate::World::load) | `NotASnapshot` | nothing was made |
@@ -72,12 +76,22 @@ pub enum Error {
         /// Its value.
         value: Ratio,
     },
-    /// The value is not zero, but the number type would make it zero.
+    /// The value is not zero, but too small for the number type, or for a coefficient of it.
     RoundsToZero {
         /// Name of the argument.
         field: &'static str,
         /// Its value.
         value: Ratio,
+    },
+    /// There is no room for another body.
+    Full {
+        /// How many the world holds.
+        capacity: usize,
+    },
+    /// The body is not in the world, or no more.
+    Stale {
+        /// Its serial number.
+        serial: u32,
     },
     /// NaN, infinite, or too large for any number type.
     NotFinite {
@@ -105,8 +119,12 @@ impl fmt::Display for Error {
                 write!(f, "{field} {value} is out of range")
             }
             Error::RoundsToZero { field, value } => {
-                write!(f, "{field} {value} is too small to be told from zero")
+                write!(f, "{field} {value} is too small to be held")
             }
+            Error::Full { capacity } => {
+                write!(f, "a world for {capacity} bodies has no room for another")
+            }
+            Error::Stale { serial } => write!(f, "body {serial} is not in the world"),
             Error::NotFinite { field } => write!(f, "{field} is NaN, infinite or too large"),
             Error::NotANumber { field } => {
                 write!(f, "{field} is not a number, or has too many digits")
@@ -117,7 +135,8 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// There was no room; the body that was to be added is inside.
+/// There was no room, or all `2^32` ids were given; the body that was to be added is inside. For
+/// code that cannot place it elsewhere `?` makes an [`Error`] of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Full<B> {
@@ -135,12 +154,21 @@ impl<B> Full<B> {
 
 impl<B> fmt::Display for Full<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "a world for {} bodies has no room for another",
-            self.capacity
-        )
+        Error::from(self).fmt(f)
     }
 }
 
 impl<B: fmt::Debug> core::error::Error for Full<B> {}
+
+impl<B> From<&Full<B>> for Error {
+    fn from(full: &Full<B>) -> Error {
+        let capacity = full.capacity;
+        Error::Full { capacity }
+    }
+}
+
+impl<B> From<Full<B>> for Error {
+    fn from(full: Full<B>) -> Error {
+        Error::from(&full)
+    }
+}

@@ -9,6 +9,8 @@
 
 use core::fmt;
 
+use crate::error::Error;
+
 /// Names one body of one world, for ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(u32);
@@ -42,11 +44,18 @@ pub struct Stale(
 
 impl fmt::Display for Stale {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "body {} is not in the world", self.0.serial())
+        Error::from(*self).fmt(f)
     }
 }
 
 impl core::error::Error for Stale {}
+
+impl From<Stale> for Error {
+    fn from(stale: Stale) -> Error {
+        let serial = stale.0.serial();
+        Error::Stale { serial }
+    }
+}
 
 /// Where `id` stands in `ids`, which rise.
 #[inline]

@@ -14,7 +14,8 @@ pub struct Time {
 }
 
 impl Time {
-    /// The time since the start as a scalar, rounded once; saturates at the end of the range.
+    /// The time since the start as a scalar: rounded once, after a cut to 62 bits where it needs more;
+    /// saturates at the end of the range.
     ///
     /// Made by a 128-bit division, dear on a small core. A force that oscillates for long does better
     /// to reduce [`half_ticks`](Time::half_ticks) by its period in integers.

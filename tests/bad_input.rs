@@ -9,9 +9,9 @@ use std::fmt::Debug;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Accumulator, Anchor, Between, Body, BodyId, CentreOfMass, Error, GravityY, LinearDrag, Pairs,
-    Point, PointMass, Pull, QuadraticDrag, Ratio, SemiImplicitEuler, Spring, Stale, Step, Vec2,
-    World, dec, vec2,
+    Accumulator, AllBodies, Anchor, Between, Body, BodyId, CentreOfMass, Error, GravityY,
+    LinearDrag, Pairs, PerBody, Point, PointMass, Pull, QuadraticDrag, Ratio, SemiImplicitEuler,
+    Spring, Stale, Step, Time, Vec2, World, dec, vec2,
 };
 
 /// The first word of each error: the name of its variant or type.
@@ -76,7 +76,7 @@ rows! {
         vec![refused(Step::<I16F16>::hz(0)), refused(Step::<f32>::hz(-60))];
     step_beyond, "a step of a quarter second or more, or too short": steps();
     coefficient_below_zero, "a coefficient below zero": coefficients(dec!(-0.1));
-    coefficient_beyond, "a coefficient that is too large": coefficients(dec!(3000000000));
+    coefficient_beyond, "a coefficient that is too large, or a softening too small for it": too_large();
     coefficient_lost, "a coefficient or softening that would be zero, but is not": lost();
     length_beyond, "a length or acceleration outside of the scalar": vec![
         refused(Spring::<I16F16>::new(40_000, 1, 0)),
@@ -87,6 +87,8 @@ rows! {
         vec![refused(Pull::<I16F16>::new(1, 0)), refused(Pull::<f32>::new(1, -1))];
     no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::of(&[]))];
     point_of_no_mass, "a point mass of zero or less": point_masses();
+    point_not_finite, "a point mass that is NaN or infinite": not_finite_point_masses();
+    total_beyond, "a total mass that no fraction of 62 bits, or no body, can hold": totals();
     clock_that_stands, "a clock that stands still, or no steps a frame": vec![
         refused(Accumulator::new(0, dec!(0.02), 4)),
         refused(Accumulator::new(1000, dec!(0), 4)),
@@ -95,10 +97,12 @@ rows! {
     clock_without_unit, "a clock and a step without a common unit":
         vec![refused(Accumulator::new(u32::MAX, Ratio::new((1 << 62) - 1, (1 << 61) - 1).unwrap(), 4))];
     part_beyond, "a part of a step below 0 or above 1": parts();
-    full_world, "a body for a full world": full();
+    full_world, "a body for a full world, or one that has given `2^32` ids": full();
     stale_id, "a stale id": stale();
     stale_force, "a stale id in a force": waiting_force();
     range_left, "a scene that leaves the range": saturated();
+    nan_force, "NaN in a vector or from a function that a force was given": nan_force_spreads();
+    few_places, "fewer places in `AllBodies` than bodies": few_places_reach();
     short_slice, "a slice too short for a snapshot": snapshots::short_slice();
     other_length, "a cut header, or another count than the bytes hold": snapshots::other_length();
     other_bytes, "bytes that are no snapshot": snapshots::other_bytes();
@@ -170,6 +174,13 @@ fn coefficients(value: Ratio) -> Errors {
     ]
 }
 
+fn too_large() -> Errors {
+    let mut errors = coefficients(dec!(3000000000));
+    errors.push(refused(Pull::<I16F16>::new(1, dec!(0.0009))));
+    errors.push(refused(Pull::<f32>::new(1, dec!(0.0000001))));
+    errors
+}
+
 fn lost() -> Errors {
     let mut errors = coefficients(dec!(0.00000000001));
     errors.push(refused(Pull::<I16F16>::new(1, dec!(0.000001))));
@@ -186,6 +197,33 @@ fn point_masses() -> Errors {
     sets.map(|set| refused(CentreOfMass::of(&set))).into()
 }
 
+fn not_finite_point_masses() -> Errors {
+    let of = |position, velocity| {
+        let mass = dec!(1);
+        refused(CentreOfMass::of(&[PointMass {
+            position,
+            velocity,
+            mass,
+        }]))
+    };
+    let bad = Vec2::new(f32::NAN, 0.0);
+    vec![of(bad, Vec2::ZERO), of(Vec2::ZERO, bad)]
+}
+
+fn totals() -> Errors {
+    let of = |mass| PointMass {
+        position: Vec2::<I16F16>::ZERO,
+        velocity: Vec2::ZERO,
+        mass,
+    };
+    let whole = |mass| Ratio::new(mass, 1).unwrap();
+    let heavy = CentreOfMass::of(&[of(whole(2_000_000)), of(whole(2_000_000))]).unwrap();
+    vec![
+        refused(CentreOfMass::of(&[of(whole(1 << 62)), of(whole(1))])),
+        refused(heavy.point()),
+    ]
+}
+
 fn parts() -> Errors {
     let step = Step::<I16F16>::hz(60).unwrap();
     [dec!(-0.01), dec!(1.01), dec!(2)]
@@ -200,7 +238,7 @@ fn full() -> Errors {
     let error = world.add(second).unwrap_err();
     assert_eq!((error.body, error.capacity), (second, 1));
     assert_eq!((world.get(id), world.len()), (Ok(&first), 1));
-    vec![name(error)]
+    vec![name(error), snapshots::no_id_left()]
 }
 
 /// A world of one body, and the id of another that is gone.
@@ -219,6 +257,7 @@ fn stale() -> Errors {
         name(world.get(gone).unwrap_err()),
         name(world.get_mut(gone).unwrap_err()),
         name(world.remove(gone).unwrap_err()),
+        name(world.place(gone).unwrap_err()),
     ];
     assert_eq!(world.get(gone), Err(Stale(gone)));
     assert_eq!(world.state_hash(), before);
@@ -247,5 +286,35 @@ fn saturated() -> Errors {
     (0..60).for_each(|_| world.step(&mut SemiImplicitEuler, &mut (), &step));
     assert!(world.out_of_range().eq([fast]));
     assert_eq!(world.get(fast).unwrap().position().x, I16F16::MAX);
+    Errors::new()
+}
+
+fn nan_force_spreads() -> Errors {
+    let mut world = World::<Point<f32>, 2>::new();
+    let lost = world.add(point(1).unwrap()).unwrap();
+    world
+        .add(Point::new(Vec2::new(1.0, 0.0), Vec2::ZERO, 1).unwrap())
+        .unwrap();
+    let nan_at_0 = |_: Time, body: &Point<f32>| Vec2::new(0.0 / body.position().x, 0.0);
+    let step = Step::hz(60).unwrap();
+    world.step(&mut SemiImplicitEuler, &mut PerBody(nan_at_0), &step);
+    assert!(world.out_of_range().eq([lost]));
+    Errors::new()
+}
+
+fn few_places_reach() -> Errors {
+    let mut world = World::<Point<f32>, 3>::new();
+    for mass in 1..=3 {
+        world.add(point(mass).unwrap()).unwrap();
+    }
+    let wind = |_: Time, _: &[Point<f32>], _| Vec2::new(60.0, 0.0);
+    let step = Step::hz(60).unwrap();
+    world.step(
+        &mut SemiImplicitEuler,
+        &mut AllBodies::<_, f32, 2>::new(wind),
+        &step,
+    );
+    let moved = world.bodies().iter().map(|body| body.velocity().x > 0.0);
+    assert!(moved.eq([true, true, false]));
     Errors::new()
 }

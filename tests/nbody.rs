@@ -207,6 +207,9 @@ fn check<S: Scale>() {
         momenta.push(run.momentum / momentum_bound::<S>(&run));
         energies.push(maximum(&errors) / energy_bound::<S>(scheme, &run));
         relative.push(maximum(&errors) / -start);
+        // A bound made of what was seen must still bound: a thousandth of the energy.
+        let bound = energy_bound::<S>(scheme, &run) / -start;
+        assert!(bound <= 1e-3, "{}: {bound}", S::name());
     }
     hold(&format!("{} momentum of eight", S::name()), &momenta);
     hold(&format!("{} energy of eight", S::name()), &energies);

@@ -68,6 +68,7 @@ impl Scalar for Own {
 
     const ZERO: Own = Own(0);
     const MAX: Own = Own(i32::MAX);
+    const COEF_BITS: u32 = 63 - FACTOR;
 
     fn ratio(ratio: Ratio) -> Option<Own> {
         let raw = i32::try_from(scaled(ratio, FRACTION)).ok()?;

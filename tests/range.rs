@@ -245,7 +245,8 @@ fn floats_beyond_the_range_are_reported() {
 /// Every force, with coefficients up to the largest, tied to the bodies `ids`.
 fn hostile<S: Grid>(ids: [BodyId; 2], strength: f64) -> impl Force<Point<S>> {
     let wild = |v: Vec2<S>| Vec2::new(S::MAX.plus(v.x), S::MAX.minus(v.y).negated());
-    let pull = |softening| Pull::new(ratio(strength), ratio(softening)).unwrap();
+    let least = least_softening::<S>(strength);
+    let pull = |softening: f64| Pull::new(ratio(strength), ratio(softening.max(least))).unwrap();
     let later = (
         QuadraticDrag::new(ratio(strength)).unwrap(),
         Push::new(ids[1], Vec2::new(S::MAX.negated(), S::MAX)),

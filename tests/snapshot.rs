@@ -10,6 +10,8 @@ mod bytes;
 mod cuts;
 #[path = "snapshot/damage.rs"]
 mod damage;
+#[path = "snapshot/elsewhere.rs"]
+mod elsewhere;
 #[path = "snapshot/fuzz.rs"]
 mod fuzz;
 #[path = "snapshot/layout.rs"]

@@ -8,7 +8,8 @@
 //!
 //! Each body has its own coefficient and one rounding, so a grain is drawn to a planet as exactly as
 //! a planet to a planet; equal masses get opposite changes to the bit. What the grain does to the
-//! planet is rounded too: below half a unit of velocity a step it is nothing. The squared distance is formed
+//! planet is rounded too: below half a unit of velocity a step it is nothing. A coefficient ends at
+//! `2^30`, where the smallest distance makes a kick of half the range. The squared distance is formed
 //! in the wide type: it cannot overflow, only the difference of positions saturates. Where bodies
 //! coincide `d` is zero, and so is the pull.
 //! Potential `-G m1 m2 / s`: the softening of Plummer. Source: Dehnen, Read, "N-body simulations of
@@ -39,10 +40,11 @@ impl<S: Scalar> Pull<S> {
     /// `constant` is the scene's G in m³/(kg s²), not negative, and `softening` ε in m.
     ///
     /// Refuses values that the scalar or its coefficients cannot hold, and a softening that is not
-    /// positive or so small that `G / ε³` is infinite.
+    /// positive or so small that they cannot hold `G / ε³`: in 32-bit fixed point, from `2^30` on.
     #[inline]
     pub fn new(constant: impl Into<Ratio>, softening: impl Into<Ratio>) -> Result<Pull<S>, Error> {
-        let constant = coefficient::<S>("constant", constant.into())?;
+        let strength = constant.into();
+        let constant = coefficient::<S>("constant", strength)?;
         let (field, value) = ("softening", softening.into());
         if value.num() <= 0 {
             return Err(Error::NotPositive { field, value });
@@ -51,8 +53,10 @@ impl<S: Scalar> Pull<S> {
         if softening == S::ZERO {
             return Err(Error::RoundsToZero { field, value });
         }
-        let largest = cubed::<S>(constant, S::inverse_length([S::ZERO; 2], softening));
-        if largest.of(S::ZERO) != S::ZERO {
+        // No distance asks for a larger coefficient than ε does.
+        let largest = (0..3).try_fold(strength, |product, _| product.over(value));
+        let fits = |ratio: Ratio| (ratio.num() as u64) >> S::COEF_BITS < ratio.den();
+        if !largest.is_some_and(fits) {
             return Err(Error::OutOfRange { field, value });
         }
         Ok(Pull {

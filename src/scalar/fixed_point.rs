@@ -53,6 +53,7 @@ macro_rules! fixed_scalar {
                 $fixed::ZERO
             };
             const MAX: Self = $fixed::MAX;
+            const COEF_BITS: u32 = $raw::BITS - 2;
 
             #[inline(always)]
             fn spans(ratio: Ratio) -> Option<[Span<$raw>; 2]> {

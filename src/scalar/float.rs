@@ -34,6 +34,7 @@ macro_rules! float_scalar {
 
             const ZERO: $float = 0.0;
             const MAX: $float = $float::MAX;
+            const COEF_BITS: u32 = 62;
 
             // Always normal: a ratio lies between 2^-62 and 2^62.
             #[inline(always)]

@@ -74,6 +74,9 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// The largest value.
     const MAX: Self;
 
+    /// Coefficients below 2 to this power can be held; at most 62.
+    const COEF_BITS: u32;
+
     /// A span just below `ratio` and one just above, for use by turns; floats have but one.
     #[must_use]
     fn spans(ratio: Ratio) -> Option<[Self::Span; 2]> {

@@ -18,7 +18,7 @@ fn not_positive(field: &'static str, value: Ratio) -> Option<Error> {
 fn nothing_may_be_zero_and_no_step_negative() {
     let (step, zero) = (ratio(1, 60), Ratio::ZERO);
     assert_eq!(refusal(0, step, 4), not_positive("counts_per_second", zero));
-    assert_eq!(refusal(1000, step, 0), not_positive("most", zero));
+    assert_eq!(refusal(1000, step, 0), not_positive("max_steps", zero));
     for seconds in [zero, ratio(-1, 60), ratio(-1, LIMIT), ratio(0, 7)] {
         assert_eq!(refusal(1000, seconds, 4), not_positive("seconds", seconds));
     }

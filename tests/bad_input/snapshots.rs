@@ -19,10 +19,14 @@ fn saved() -> Vec<u8> {
     bytes
 }
 
-/// The bytes with those at `place` changed and the sum made right again.
+/// The bytes with that at `place` changed and the sum made right again.
 fn forged(place: usize, change: impl Fn(&mut u8)) -> Vec<u8> {
     let mut bytes = saved();
     change(&mut bytes[place]);
+    summed(bytes)
+}
+
+fn summed(mut bytes: Vec<u8>) -> Vec<u8> {
     let counted = (0..bytes.len()).filter(|place| !(36..40).contains(place));
     let sum = counted.fold(0x811C_9DC5_u32, |sum, place| {
         (sum ^ u32::from(bytes[place])).wrapping_mul(0x0100_0193)
@@ -33,6 +37,17 @@ fn forged(place: usize, change: impl Fn(&mut u8)) -> Vec<u8> {
 
 fn load(bytes: &[u8]) -> String {
     refused(Scene::load(bytes))
+}
+
+/// What a world says that has room but has given its last id.
+pub fn no_id_left() -> String {
+    let mut bytes = saved();
+    bytes[28..36].copy_from_slice(&(1_u64 << 32).to_le_bytes());
+    let mut world = World::<Point<I16F16>, 4>::load(&summed(bytes)).unwrap();
+    assert_eq!(world.len(), 3);
+    let error = world.add(point(7).unwrap()).unwrap_err();
+    assert_eq!((error.body, world.len()), (point(7).unwrap(), 3));
+    name(error)
 }
 
 pub fn short_slice() -> Errors {

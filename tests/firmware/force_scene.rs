@@ -99,6 +99,11 @@ where
     let mut frame = || clock.advance(black_box(16_000)).steps;
     let frames = || (0..100).fold(0, |sum, _| sum + frame());
     meter.work("Accumulator::advance", 100, frames, u32::into);
+    let prepared = || Between::new(black_box(dec!(0.3)), black_box(&step));
+    meter.work("Between::new", 1, prepared, |part| {
+        let at = |part: Between<S>| part.chord(Vec2::ZERO, Vec2::new(S::MAX, S::ZERO)).x.bits();
+        part.map_or(0, at)
+    });
     let picture = || {
         let mut drawn = [Vec2::<S>::ZERO; POINTS];
         let places = black_box(&after).between(&before, &SemiImplicitEuler, &part);

@@ -189,6 +189,13 @@ pub fn anchors<B: Body, const N: usize>(
     std::array::from_fn(|i| anchor(i).unwrap())
 }
 
+/// The smallest softening that `Pull` takes with this constant, with room for its rounding: 32-bit
+/// coefficients hold `constant / ε³` up to 2^30.
+pub fn least_softening<S: Format>(constant: f64) -> f64 {
+    let least = (constant / 2.0_f64.powi(30)).cbrt();
+    (1.01 * least + S::unit(least)).max(S::unit(0.0))
+}
+
 /// Place `i` of a sequence that fills `0..1` evenly: multiples of the golden ratio.
 pub fn spread(i: usize) -> f64 {
     (0.5 + i as f64 * 0.618_033_988_749_894_9).fract()
