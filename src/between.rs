@@ -35,11 +35,9 @@ impl<S: Scalar> Between<S> {
         let coef = |ratio| S::Coef::new(ratio).unwrap_or(S::ZERO.coef());
         let (num, den) = (value.num() as u64, value.den());
         let rest = Ratio::nearest((den - num) as u128, 2 * den as u128).ok_or(error)?;
-        let bow = S::product(coef(value), coef(rest));
-        Ok(Between {
-            part: coef(value),
-            bow: S::product(bow, step.coef()),
-        })
+        let part = coef(value);
+        let bow = S::product(S::product(part, coef(rest)), step.coef());
+        Ok(Between { part, bow })
     }
 
     /// On the straight line from `before` to `after`.

@@ -235,7 +235,11 @@ impl Ratio {
     fn floored(self, shift: i32) -> u128 {
         let num = (self.num.unsigned_abs() as u128) << (shift.max(0) as u32 & 127);
         let den = (self.den as u128) << ((-shift).max(0) as u32 & 127);
-        NonZero::new(den).map_or(0, |den| num / den)
+        // Most ratios of a run are short, and a division of 128 bits costs thousands of instructions.
+        match (u64::try_from(num), u64::try_from(den).map(NonZero::new)) {
+            (Ok(num), Ok(Some(den))) => (num / den) as u128,
+            _ => NonZero::new(den).map_or(0, |den| num / den),
+        }
     }
 }
 
