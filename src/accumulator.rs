@@ -49,7 +49,8 @@ pub struct Due {
 }
 
 impl Accumulator {
-    /// For a clock of so many counts per second and steps of `seconds`; a frame makes `max_steps` or fewer.
+    /// For a clock of so many counts per second and steps of `seconds`; a frame makes `max_steps` or
+    /// fewer.
     ///
     /// Refuses a clock that stands still, steps of no length, no steps at all, and a clock and a
     /// step whose common unit is below `2^-62` of the step.

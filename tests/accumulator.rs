@@ -11,8 +11,10 @@
 mod long;
 #[path = "accumulator/refusals.rs"]
 mod refusals;
+mod support;
 
 use fixstep::{Accumulator, Due, Ratio, dec};
+use support::Random;
 
 /// Microseconds, a watch crystal, the processor of a Game Boy Advance, one of 133 MHz, and a
 /// millisecond tick.
@@ -56,17 +58,7 @@ impl Exact {
     }
 }
 
-/// Numbers that look random: a counter through a mixing function (splitmix64).
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// A frame: mostly between half and one and a half times 1/60 s; one in sixteen is up to eight
     /// times as long, one in sixteen takes no time.
     fn frame(&mut self, counts_per_second: u32) -> u64 {

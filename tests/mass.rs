@@ -17,17 +17,7 @@ use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{CentreOfMass, PointMass, Ratio, Scalar, Vec2, dec};
 use support::*;
 
-/// Numbers that look random: a counter through a mixing function (splitmix64).
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     fn ratio(&mut self, num: u64, den: u64) -> Ratio {
         Ratio::new((self.next() % num) as i64 + 1, den).unwrap()
     }

@@ -1,42 +1,19 @@
 //! What is logged with defmt: the values, in their order. The texts between them stay in the ELF file
 //! and are not looked at; each stands in the log as two bytes.
 
-use std::cell::RefCell;
-
 use defmt::Format;
+use defmt::export::fetch_bytes;
 use fixstep::fixed::types::I16F16;
 use fixstep::{
     Accumulator, BodyId, Due, Error, Point, Ratio, SnapshotError, Stale, Vec2, World, dec, vec2,
 };
 
-thread_local! {
-    static LOG: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-}
-
-#[defmt::global_logger]
-struct Logger;
-
-// SAFETY: each thread has a log of its own, so there is nothing to acquire.
-unsafe impl defmt::Logger for Logger {
-    fn acquire() {}
-
-    unsafe fn flush() {}
-
-    unsafe fn release() {}
-
-    unsafe fn write(bytes: &[u8]) {
-        LOG.with_borrow_mut(|log| log.extend(bytes));
-    }
-}
-
-defmt::timestamp!("{=u8}", 0);
-
 /// Asserts that `parts` stand in the log of `value`, one behind the other.
 #[track_caller]
 fn logs(value: &impl Format, parts: &[&[u8]]) {
-    LOG.take();
+    fetch_bytes();
     defmt::println!("{}", value);
-    let log = LOG.take();
+    let log = fetch_bytes();
     let mut rest = log.as_slice();
     for part in parts {
         let place = rest.windows(part.len()).position(|window| window == *part);
