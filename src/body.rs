@@ -33,8 +33,37 @@ pub trait Body: Copy + 'static {
         self.kick(Vec2::new(Self::S::ZERO, dv));
     }
 
+    /// `v += factor * value`, for a product that is not rounded yet: a body that keeps remainders
+    /// keeps this one.
+    #[inline]
+    fn kick_by(&mut self, value: Vec2<Self::S>, factor: <Self::S as Scalar>::Coef) {
+        self.kick(value.scaled(factor));
+    }
+
+    /// `v -= factor * value`, as [`kick_by`](Body::kick_by).
+    #[inline]
+    fn brake_by(&mut self, value: Vec2<Self::S>, factor: <Self::S as Scalar>::Coef) {
+        self.kick(-value.scaled(factor));
+    }
+
     /// `v += impulse / m`, kg m/s.
     fn push(&mut self, impulse: Vec2<Self::S>);
+
+    /// `v -= loss * v`, towards rest and never past it, for a loss from 0 to 1. In fixed point each
+    /// part of v that is not zero loses a unit or more, so that it comes to rest.
+    #[inline]
+    fn damp(&mut self, loss: <Self::S as Scalar>::Coef) {
+        self.kick(-self.velocity().map(|v| v.lost(loss)));
+    }
+
+    /// `x += dx`, m.
+    fn shift(&mut self, dx: Vec2<Self::S>);
+
+    /// `x += factor * value`, for a product that is not rounded yet.
+    #[inline]
+    fn move_by(&mut self, value: Vec2<Self::S>, factor: <Self::S as Scalar>::Coef) {
+        self.shift(value.scaled(factor));
+    }
 
     /// `x += h v`.
     fn drift(&mut self, step: &impl TimeStep<Self::S>);
@@ -182,6 +211,11 @@ impl<S: Scalar> Body for Point<S> {
     #[inline]
     fn push(&mut self, impulse: Vec2<S>) {
         self.velocity += impulse.scaled(self.inv_mass);
+    }
+
+    #[inline]
+    fn shift(&mut self, dx: Vec2<S>) {
+        self.position += dx;
     }
 
     #[inline]

@@ -68,7 +68,7 @@ pub use body::{Body, Point};
 pub use error::{Error, Full};
 pub use force::{
     AllBodies, AllPairs, Anchor, Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs,
-    PerBody, Pull, Push, QuadraticDrag, Spring, Window,
+    Part, PerBody, Pull, Push, QuadraticDrag, Spring, Window,
 };
 pub use id::{BodyId, Stale};
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};

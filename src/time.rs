@@ -53,7 +53,8 @@ pub struct Now<H> {
     /// The step, as this tick uses it.
     pub step: H,
     tick: u64,
-    middle: bool,
+    /// Half steps since the start of this one.
+    halves: u8,
 }
 
 impl<H> Now<H> {
@@ -66,7 +67,7 @@ impl<H> Now<H> {
         Now {
             step: step.at(tick),
             tick,
-            middle: false,
+            halves: 0,
         }
     }
 
@@ -79,7 +80,20 @@ impl<H> Now<H> {
         Now {
             step: step.at(tick),
             tick,
-            middle: true,
+            halves: 1,
+        }
+    }
+
+    /// The end of step `tick`.
+    #[inline]
+    pub fn end<S: Scalar>(step: &H, tick: u64) -> Self
+    where
+        H: TimeStep<S>,
+    {
+        Now {
+            step: step.at(tick),
+            tick,
+            halves: 2,
         }
     }
 
@@ -97,7 +111,7 @@ impl<H> Now<H> {
         let half_ticks = self
             .tick
             .saturating_mul(2)
-            .saturating_add(self.middle as u64);
+            .saturating_add(self.halves as u64);
         Time {
             half_ticks,
             seconds: self.step.seconds(),

@@ -44,6 +44,10 @@ impl<S: Scalar> Body for Probe<S> {
         self.point.push(impulse);
     }
 
+    fn shift(&mut self, dx: Vec2<S>) {
+        self.point.shift(dx);
+    }
+
     fn drift(&mut self, step: &impl TimeStep<S>) {
         self.point.drift(step);
     }

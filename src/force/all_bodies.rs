@@ -54,7 +54,7 @@ where
         }
         for (body, force) in frame.live().iter_mut().zip(&self.forces) {
             let per_mass = B::S::product(now.step.coef(), body.inv_mass().into());
-            body.kick(force.scaled(per_mass));
+            body.kick_by(*force, per_mass);
         }
     }
 }

@@ -59,11 +59,12 @@ impl<B: Body> Force<B> for Anchor<B::S> {
             )
         });
         let inv_mass = body.inv_mass().into();
-        let pull = (self.point - body.position()).scaled(B::S::product(stiffness, inv_mass));
-        let brake = body.velocity().scaled(B::S::product(damping, inv_mass));
-        if let Some(live) = frame.live_at(index) {
-            live.kick(pull - brake);
-        }
+        let Some(live) = frame.live_at(index) else {
+            return;
+        };
+        let pull = self.point - body.position();
+        live.kick_by(pull, B::S::product(stiffness, inv_mass));
+        live.brake_by(body.velocity(), B::S::product(damping, inv_mass));
     }
 
     fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {

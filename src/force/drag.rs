@@ -51,6 +51,6 @@ impl<B: Body> Force<B> for LinearDrag<B::S> {
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, seen: &B, live: &mut B) {
         let per_mass = B::S::product(self.impulse, seen.inv_mass().into());
-        live.kick(-seen.velocity().scaled(per_mass));
+        live.brake_by(seen.velocity(), per_mass);
     }
 }

@@ -1,13 +1,14 @@
 //! Forces together are a force: tuples, arrays, lists, an option, a reference.
 
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
 
 impl<B: Body, F: Force<B>> Force<B> for [F] {
     const COUPLES: bool = F::COUPLES;
+    const FLOWS: bool = F::FLOWS;
 
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
@@ -25,6 +26,32 @@ impl<B: Body, F: Force<B>> Force<B> for [F] {
             .for_each(|force| force.field(now, seen, live));
     }
 
+    // Backwards in the second half, so that a step is the mirror image of itself.
+    #[inline]
+    fn damp<H: TimeStep<B::S>>(&mut self, now: &Now<H>, part: Part, live: &mut B) {
+        match part {
+            Part::SecondHalf => self
+                .iter_mut()
+                .rev()
+                .for_each(|force| force.damp(now, part, live)),
+            _ => self
+                .iter_mut()
+                .for_each(|force| force.damp(now, part, live)),
+        }
+    }
+
+    #[inline]
+    fn flow<H: TimeStep<B::S>>(
+        &mut self,
+        now: &Now<H>,
+        part: Part,
+        frame: &mut Frame<B>,
+        moved: &mut [bool],
+    ) {
+        self.iter_mut()
+            .for_each(|force| force.flow(now, part, frame, moved));
+    }
+
     fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
         self.iter().map(|force| force.potential(ids, bodies)).sum()
     }
@@ -34,6 +61,7 @@ impl<B: Body, F: Force<B>> Force<B> for [F] {
 macro_rules! forward {
     ($self:ident => $target:ty, $deref:expr, $deref_mut:expr) => {
         const COUPLES: bool = <$target>::COUPLES;
+        const FLOWS: bool = <$target>::FLOWS;
 
         #[inline]
         fn prepare<H: TimeStep<B::S>>(&mut $self, now: &Now<H>) {
@@ -48,6 +76,22 @@ macro_rules! forward {
         #[inline]
         fn field<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, seen: &B, live: &mut B) {
             $deref_mut.field(now, seen, live);
+        }
+
+        #[inline]
+        fn damp<H: TimeStep<B::S>>(&mut $self, now: &Now<H>, part: Part, live: &mut B) {
+            $deref_mut.damp(now, part, live);
+        }
+
+        #[inline]
+        fn flow<H: TimeStep<B::S>>(
+            &mut $self,
+            now: &Now<H>,
+            part: Part,
+            frame: &mut Frame<B>,
+            moved: &mut [bool],
+        ) {
+            $deref_mut.flow(now, part, frame, moved);
         }
 
         fn potential(&$self, ids: &[BodyId], bodies: &[B]) -> f64 {
@@ -74,10 +118,11 @@ impl<B: Body, F: Force<B> + ?Sized> Force<B> for &mut F {
 }
 
 macro_rules! tuple {
-    ($($name:ident)*) => {
+    ($($name:ident)*; $($back:ident)*) => {
         #[allow(non_snake_case, unused_variables)]
         impl<B: Body, $($name: Force<B>),*> Force<B> for ($($name,)*) {
             const COUPLES: bool = false $(|| $name::COUPLES)*;
+            const FLOWS: bool = false $(|| $name::FLOWS)*;
 
             #[inline]
             fn prepare<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>) {
@@ -97,6 +142,27 @@ macro_rules! tuple {
                 $($name.field(now, seen, live);)*
             }
 
+            #[inline]
+            fn damp<Z: TimeStep<B::S>>(&mut self, now: &Now<Z>, part: Part, live: &mut B) {
+                let ($($name,)*) = self;
+                match part {
+                    Part::SecondHalf => { $($back.damp(now, part, live);)* }
+                    _ => { $($name.damp(now, part, live);)* }
+                }
+            }
+
+            #[inline]
+            fn flow<Z: TimeStep<B::S>>(
+                &mut self,
+                now: &Now<Z>,
+                part: Part,
+                frame: &mut Frame<B>,
+                moved: &mut [bool],
+            ) {
+                let ($($name,)*) = self;
+                $($name.flow(now, part, frame, moved);)*
+            }
+
             fn potential(&self, ids: &[BodyId], bodies: &[B]) -> f64 {
                 let ($($name,)*) = self;
                 0.0 $(+ $name.potential(ids, bodies))*
@@ -105,10 +171,10 @@ macro_rules! tuple {
     };
 }
 
-tuple!();
-tuple!(F1);
-tuple!(F1 F2);
-tuple!(F1 F2 F3);
-tuple!(F1 F2 F3 F4);
-tuple!(F1 F2 F3 F4 F5);
-tuple!(F1 F2 F3 F4 F5 F6);
+tuple!(;);
+tuple!(F1; F1);
+tuple!(F1 F2; F2 F1);
+tuple!(F1 F2 F3; F3 F2 F1);
+tuple!(F1 F2 F3 F4; F4 F3 F2 F1);
+tuple!(F1 F2 F3 F4 F5; F5 F4 F3 F2 F1);
+tuple!(F1 F2 F3 F4 F5 F6; F6 F5 F4 F3 F2 F1);

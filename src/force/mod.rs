@@ -124,10 +124,24 @@ impl<'a, B: Body> Frame<'a, B> {
     }
 }
 
+/// A part of a step, for work that a method does at once or in two halves around its kicks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Whole,
+    /// The half before the kicks.
+    FirstHalf,
+    /// The half after them.
+    SecondHalf,
+}
+
 /// Something that changes velocities. A force implements the verbs it needs.
 pub trait Force<B: Body> {
     /// Whether [`couple`](Force::couple) does anything: methods skip it otherwise.
     const COUPLES: bool;
+
+    /// Whether [`flow`](Force::flow) does anything: methods skip it otherwise.
+    const FLOWS: bool = false;
 
     /// Work that is the same for every body; called once before the others, for each evaluation.
     #[inline]
@@ -145,6 +159,26 @@ pub trait Force<B: Body> {
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
         let _ = (now, seen, live);
+    }
+
+    /// Takes from the velocity of one body what it loses in this part of the step: the exact
+    /// solution of a drag that acts alone.
+    #[inline]
+    fn damp<H: TimeStep<B::S>>(&mut self, now: &Now<H>, part: Part, live: &mut B) {
+        let _ = (now, part, live);
+    }
+
+    /// Moves bodies through this part of the step by the exact solution of their motion, in place
+    /// of their drift, and marks each in `moved`; leaves alone those which are marked already.
+    #[inline]
+    fn flow<H: TimeStep<B::S>>(
+        &mut self,
+        now: &Now<H>,
+        part: Part,
+        frame: &mut Frame<B>,
+        moved: &mut [bool],
+    ) {
+        let _ = (now, part, frame, moved);
     }
 
     /// Potential energy of `bodies` in this force, J; zero for a force that has none.

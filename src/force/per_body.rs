@@ -30,6 +30,6 @@ impl<B: Body, F: FnMut(Time, &B) -> Vec2<B::S>> Force<B> for PerBody<F> {
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
         let force = (self.0)(now.time(), seen);
         let per_mass = B::S::product(now.step.coef(), seen.inv_mass().into());
-        live.kick(force.scaled(per_mass));
+        live.kick_by(force, per_mass);
     }
 }

@@ -88,8 +88,8 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let per_mass = cubed::<B::S>(self.impulse, inverse);
         let [m1, m2] = seen.map(|body| B::S::mass(body.inv_mass()));
         let [first, second] = live;
-        first.kick(along.scaled(B::S::product(per_mass, m2)));
-        second.kick(-along.scaled(B::S::product(per_mass, m1)));
+        first.kick_by(along, B::S::product(per_mass, m2));
+        second.brake_by(along, B::S::product(per_mass, m1));
     }
 
     fn potential(&self, bodies: [&B; 2]) -> f64 {

@@ -55,6 +55,6 @@ impl<B: Body> Force<B> for QuadraticDrag<B::S> {
         let per_mass = B::S::product(self.impulse, seen.inv_mass().into());
         let velocity = seen.velocity();
         let factor = B::S::product(per_mass, velocity.length().coef());
-        live.kick(-velocity.scaled(factor));
+        live.brake_by(velocity, factor);
     }
 }

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -42,6 +42,7 @@ impl<F> Window<F> {
 
 impl<B: Body, F: Force<B>> Force<B> for Window<F> {
     const COUPLES: bool = F::COUPLES;
+    const FLOWS: bool = F::FLOWS;
 
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
@@ -62,6 +63,26 @@ impl<B: Body, F: Force<B>> Force<B> for Window<F> {
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
         if self.open {
             self.force.field(now, seen, live);
+        }
+    }
+
+    #[inline]
+    fn damp<H: TimeStep<B::S>>(&mut self, now: &Now<H>, part: Part, live: &mut B) {
+        if self.open {
+            self.force.damp(now, part, live);
+        }
+    }
+
+    #[inline]
+    fn flow<H: TimeStep<B::S>>(
+        &mut self,
+        now: &Now<H>,
+        part: Part,
+        frame: &mut Frame<B>,
+        moved: &mut [bool],
+    ) {
+        if self.open {
+            self.force.flow(now, part, frame, moved);
         }
     }
 

@@ -10,10 +10,10 @@
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
-use super::{Method, copy, drift_half, each, parabola};
+use super::{Method, copy, each, parabola};
 use crate::between::Between;
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -51,6 +51,7 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
         step: &H,
         tick: u64,
     ) {
+        const { assert!(!F::FLOWS, "a flow needs a splitting method") };
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
@@ -59,14 +60,19 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
         each(bodies, |body| {
             let seen = *body;
             body.drift_half(&now.step);
+            forces.damp(&now, Part::FirstHalf, body);
             forces.field(&now, &seen, body);
             if !F::COUPLES {
+                forces.damp(&now, Part::SecondHalf, body);
                 body.drift_half(&now.step);
             }
         });
         if F::COUPLES {
             forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
-            drift_half(bodies, &now);
+            each(bodies, |body| {
+                forces.damp(&now, Part::SecondHalf, body);
+                body.drift_half(&now.step);
+            });
         }
     }
 

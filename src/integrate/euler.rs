@@ -12,7 +12,7 @@
 
 use super::{Method, copy, each};
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -49,6 +49,7 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
         step: &H,
         tick: u64,
     ) {
+        const { assert!(!F::FLOWS, "a flow needs a splitting method") };
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
@@ -58,9 +59,13 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
             let seen = *body;
             body.drift(&now.step);
             forces.field(&now, &seen, body);
+            if !F::COUPLES {
+                forces.damp(&now, Part::Whole, body);
+            }
         });
         if F::COUPLES {
             forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+            each(bodies, |body| forces.damp(&now, Part::Whole, body));
         }
     }
 }

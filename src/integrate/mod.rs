@@ -7,7 +7,7 @@
 //! | [`SemiImplicitEuler`] | 1 | 1 | none | `h ω < 2` | yes |
 //! | [`Verlet`] | 2; exact for constant force | 1 | none | `h ω < 2` | no |
 //!
-//! [`kick`], [`drift`] and [`drift_half`] are free functions over slices: a scene that wants
+//! [`kick`], [`damp`], [`drift`] and [`drift_half`] are free functions over slices: a scene that wants
 //! another order calls them itself, with one [`Now`] for all stages of a step. A method that fuses
 //! two of them gives the same bits.
 
@@ -18,7 +18,7 @@ mod verlet;
 
 use crate::between::Between;
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -83,6 +83,38 @@ pub fn drift<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
 #[inline]
 pub fn drift_half<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
     each(bodies, |body| body.drift_half(&now.step));
+}
+
+/// Stage: velocities lose what drags take from them in `part` of the step.
+#[inline]
+pub fn damp<B: Body, F: Force<B>, H: TimeStep<B::S>>(
+    bodies: &mut [B],
+    forces: &mut F,
+    now: &Now<H>,
+    part: Part,
+) {
+    each(bodies, |body| forces.damp(now, part, body));
+}
+
+/// Every body is moved through `part` of the step: by a flow that has it, else by its own drift.
+#[inline]
+fn advance<B: Body, F: Force<B>, H: TimeStep<B::S>, const N: usize>(
+    ids: &[BodyId],
+    bodies: &mut [B],
+    forces: &mut F,
+    now: &Now<H>,
+    part: Part,
+) {
+    let mut moved = [false; N];
+    if F::FLOWS {
+        forces.flow(now, part, &mut Frame::new(ids, bodies), &mut moved);
+    }
+    let mut moved = moved.iter();
+    each(bodies, |body| match part {
+        _ if F::FLOWS && moved.next() == Some(&true) => {}
+        Part::Whole => body.drift(&now.step),
+        _ => body.drift_half(&now.step),
+    });
 }
 
 /// Fills `seen` with the bodies, which it has room for.

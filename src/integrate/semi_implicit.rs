@@ -11,9 +11,9 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, each};
+use super::{Method, advance, each};
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -38,7 +38,13 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
         each(bodies, |body| {
             let seen = *body;
             forces.field(&now, &seen, body);
-            body.drift(&now.step);
+            forces.damp(&now, Part::Whole, body);
+            if !F::FLOWS {
+                body.drift(&now.step);
+            }
         });
+        if F::FLOWS {
+            advance::<_, _, _, N>(ids, bodies, forces, &now, Part::Whole);
+        }
     }
 }

@@ -15,10 +15,10 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, drift_half, each, parabola};
+use super::{Method, advance, damp, each, parabola};
 use crate::between::Between;
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -40,18 +40,27 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
     ) {
         let now = Now::middle(step, tick);
         forces.prepare(&now);
-        if F::COUPLES {
-            drift_half(bodies, &now);
+        let apart = F::COUPLES || F::FLOWS;
+        if apart {
+            advance::<_, _, _, N>(ids, bodies, forces, &now, Part::FirstHalf);
+            damp(bodies, forces, &now, Part::FirstHalf);
             forces.couple(&now, &mut Frame::new(ids, bodies));
         }
         each(bodies, |body| {
-            if !F::COUPLES {
+            if !apart {
                 body.drift_half(&now.step);
+                forces.damp(&now, Part::FirstHalf, body);
             }
             let seen = *body;
             forces.field(&now, &seen, body);
-            body.drift_half(&now.step);
+            forces.damp(&now, Part::SecondHalf, body);
+            if !F::FLOWS {
+                body.drift_half(&now.step);
+            }
         });
+        if F::FLOWS {
+            advance::<_, _, _, N>(ids, bodies, forces, &now, Part::SecondHalf);
+        }
     }
 
     #[inline]

@@ -103,6 +103,11 @@ impl<R: Raw> Coef<R> {
     }
 
     #[inline]
+    pub(super) fn is_zero(self) -> bool {
+        self.mantissa == R::signed(0, false)
+    }
+
+    #[inline]
     pub(super) fn of(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }

@@ -146,6 +146,16 @@ macro_rules! fixed_scalar {
                 a.times(b)
             }
 
+            // A loss of exactly nothing is no loss.
+            #[inline]
+            fn lost(self, loss: Coef<$raw>) -> Self {
+                let lost = Factor::<Self>::of(loss, self);
+                if lost == Self::ZERO && !loss.is_zero() {
+                    return $fixed::from_bits(self.to_bits().signum());
+                }
+                lost
+            }
+
             #[inline]
             fn is_inside(self) -> bool {
                 self.to_bits().unsigned_abs() < $raw::MAX.unsigned_abs()

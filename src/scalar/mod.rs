@@ -152,6 +152,14 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     #[must_use]
     fn product(a: Self::Coef, b: Self::Coef) -> Self::Coef;
 
+    /// `loss * self`, what the value loses on its way to zero; at least one unit in fixed point, so
+    /// that it gets there. For a loss from 0 to 1.
+    #[inline]
+    #[must_use]
+    fn lost(self, loss: Self::Coef) -> Self {
+        loss.of(self)
+    }
+
     /// Whether the value is neither at an end of the range nor NaN nor infinite.
     #[must_use]
     fn is_inside(self) -> bool;

@@ -116,6 +116,10 @@ impl Body for Other {
         self.0.push(impulse);
     }
 
+    fn shift(&mut self, dx: Vec2<I16F16>) {
+        self.0.shift(dx);
+    }
+
     fn drift(&mut self, step: &impl TimeStep<I16F16>) {
         self.0.drift(step);
     }

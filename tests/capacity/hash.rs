@@ -26,6 +26,8 @@ impl Body for Loose {
 
     fn push(&mut self, _: Vec2<f32>) {}
 
+    fn shift(&mut self, _: Vec2<f32>) {}
+
     fn drift(&mut self, _: &impl TimeStep<f32>) {}
 
     fn drift_half(&mut self, _: &impl TimeStep<f32>) {}

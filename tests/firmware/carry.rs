@@ -67,6 +67,12 @@ impl Body for Carried {
         self.velocity.array().iter().for_each(|v| write(v.bits()));
     }
 
+    fn shift(&mut self, dx: Vec2<I16F16>) {
+        for (x, d) in self.position.iter_mut().zip(dx.array()) {
+            *x = x.saturating_add((d.to_bits() as i64) << 32);
+        }
+    }
+
     fn drift(&mut self, _: &impl TimeStep<I16F16>) {
         self.advance(H as i64);
     }
@@ -138,6 +144,10 @@ impl Body for Compensated {
         for part in [self.position, self.lost, self.velocity.array()] {
             part.iter().for_each(|x| write(x.bits()));
         }
+    }
+
+    fn shift(&mut self, dx: Vec2<f32>) {
+        self.advance(dx.array());
     }
 
     fn drift(&mut self, step: &impl TimeStep<f32>) {

@@ -38,6 +38,10 @@ impl Body for Rocket {
         self.point.push(impulse);
     }
 
+    fn shift(&mut self, dx: Vec2<I16F16>) {
+        self.point.shift(dx);
+    }
+
     fn drift(&mut self, step: &impl TimeStep<I16F16>) {
         self.point.drift(step);
         self.drifts += 1;
