@@ -33,6 +33,7 @@
 
 pub mod error;
 mod fnv;
+mod oscillation;
 pub mod ratio;
 pub mod scalar;
 pub mod vec2;
@@ -42,6 +43,7 @@ pub mod between;
 pub mod body;
 pub mod id;
 pub mod mass;
+mod propagator;
 pub mod step;
 pub mod time;
 
@@ -67,14 +69,15 @@ pub use between::Between;
 pub use body::{Body, Point};
 pub use error::{Error, Full};
 pub use force::{
-    AllBodies, AllPairs, Anchor, Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs,
-    Part, PerBody, Pull, Push, QuadraticDrag, Spring, Window,
+    AllBodies, AllPairs, Anchor, Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring,
+    Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs, Part, PerBody, Pull, Push,
+    QuadraticDrag, Spring, Window,
 };
 pub use id::{BodyId, Stale};
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
 pub use mass::{CentreOfMass, PointMass};
 pub use ratio::Ratio;
-pub use scalar::{Factor, Scalar, Stored};
+pub use scalar::{Decay, Factor, Scalar, Stored};
 pub use snapshot::{Saved, SnapshotError};
 pub use step::{DyadicStep, Step, TimeStep};
 pub use time::{Now, Time};

@@ -100,6 +100,11 @@ impl Ratio {
         Ok(Ratio { num, den })
     }
 
+    /// `self / 2` of a ratio greater than zero.
+    pub(crate) fn halved(self) -> Option<Ratio> {
+        Ratio::nearest(self.num as u128, 2 * self.den as u128)
+    }
+
     /// `1 / self` of a ratio greater than zero.
     #[inline]
     pub(crate) const fn inverse(self) -> Option<Ratio> {
@@ -222,6 +227,14 @@ impl Ratio {
         let (up, down) = (num.leading_zeros(), den.leading_zeros());
         let below = (num << up) < (den << down);
         down as i32 - up as i32 - below as i32
+    }
+
+    /// The least e with `|self| < 2^e`; zero for zero.
+    pub(crate) fn exponent_above(self) -> i32 {
+        match self.num {
+            0 => 0,
+            _ => self.exponent() + 1,
+        }
     }
 
     /// `|self| * 2^shift` to the nearest integer, ties away; the result must be below `2^63`.

@@ -87,8 +87,7 @@ impl<S: Scalar> Step<S> {
         if seconds.num() as u128 * 4 >= seconds.den() as u128 {
             return Err(error);
         }
-        let (num, den) = (seconds.num() as u128, seconds.den() as u128);
-        let halved = Ratio::nearest(num, 2 * den).ok_or(error)?;
+        let halved = seconds.halved().ok_or(error)?;
         Ok(Step {
             span: S::spans(seconds).ok_or(error)?,
             half: S::spans(halved).ok_or(error)?,

@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 
 /// From bottom to top; files of one rung do not import each other, but for the first.
 const RUNGS: [&[&str]; 12] = [
-    &["error", "ratio", "fnv"],
+    &["error", "ratio", "fnv", "oscillation"],
     &["scalar"],
     &["vec2"],
     &["id", "step"],
     &["time", "accumulator", "between"],
     &["body"],
-    &["mass"],
+    &["mass", "propagator"],
     &["force"],
     &["integrate"],
     &["world"],

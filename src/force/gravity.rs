@@ -6,10 +6,10 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, PerStep};
+use crate::force::{Force, PerStep, uniform_potential};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
-use crate::scalar::{Factor, Scalar};
+use crate::scalar::Scalar;
 use crate::step::TimeStep;
 use crate::time::Now;
 use crate::vec2::Vec2;
@@ -61,7 +61,7 @@ impl<B: Body> Force<B> for Gravity<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        potential(self.acceleration, bodies)
+        uniform_potential(self.acceleration, bodies)
     }
 }
 
@@ -108,15 +108,6 @@ impl<B: Body> Force<B> for GravityY<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
+        uniform_potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
     }
-}
-
-/// `-sum(m g·x)`.
-fn potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
-    let g = acceleration.to_f64();
-    bodies
-        .iter()
-        .map(|body| -g.dot(body.position().to_f64()) / body.inv_mass().to_f64())
-        .sum()
 }

@@ -28,7 +28,12 @@
 
 mod all_bodies;
 mod anchor;
+mod ballistic;
 mod drag;
+mod exact_drag;
+mod exact_pair;
+mod exact_quadratic_drag;
+mod exact_spring;
 mod gravity;
 mod list;
 mod pairs;
@@ -42,16 +47,23 @@ mod window;
 
 use crate::body::Body;
 use crate::id::{self, BodyId};
+use crate::scalar::Factor;
 use crate::step::TimeStep;
 use crate::time::Now;
+use crate::vec2::Vec2;
 
 pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
+pub use ballistic::Ballistic;
 pub use drag::LinearDrag;
+pub use exact_drag::ExactDrag;
+pub use exact_pair::ExactPair;
+pub use exact_quadratic_drag::ExactQuadraticDrag;
+pub use exact_spring::ExactSpring;
 pub use gravity::{Gravity, GravityY};
 pub use pairs::{AllPairs, PairForce, Pairs};
 pub use per_body::PerBody;
-pub use per_step::{PerStep, coefficient};
+pub use per_step::{PerStep, coefficient, half};
 pub use pull::Pull;
 pub use push::Push;
 pub use quadratic_drag::QuadraticDrag;
@@ -187,4 +199,13 @@ pub trait Force<B: Body> {
         let _ = (ids, bodies);
         0.0
     }
+}
+
+/// `-sum(m g·x)`: the potential energy in an acceleration that is the same everywhere.
+fn uniform_potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
+    let g = acceleration.to_f64();
+    bodies
+        .iter()
+        .map(|body| -g.dot(body.position().to_f64()) / body.inv_mass().to_f64())
+        .sum()
 }

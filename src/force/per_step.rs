@@ -19,6 +19,16 @@ pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Co
     })
 }
 
+/// Half of a coefficient, for what is done in two halves of a step.
+#[inline]
+#[must_use]
+pub fn half<S: Scalar>(whole: S::Coef) -> S::Coef {
+    match Ratio::new(1, 2).ok().and_then(S::Coef::new) {
+        Some(half) => S::product(whole, half),
+        None => whole,
+    }
+}
+
 /// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
 ///
 /// For forces of your own: keep one, and ask it in `prepare` or `couple`.

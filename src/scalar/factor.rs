@@ -102,6 +102,22 @@ impl<R: Raw> Coef<R> {
         }
     }
 
+    /// Mantissa and shift.
+    #[inline]
+    pub(super) fn parts(self) -> (R, u32) {
+        (self.mantissa, self.shift)
+    }
+
+    /// `1 / self` of a mantissa without leading zeros, where a coefficient can hold it.
+    #[inline]
+    pub(super) fn inverse(self) -> Coef<R> {
+        let shift = (2 * R::BITS - 4).saturating_sub(self.shift).max(1);
+        Coef {
+            mantissa: self.mantissa.reciprocal(),
+            shift,
+        }
+    }
+
     #[inline]
     pub(super) fn is_zero(self) -> bool {
         self.mantissa == R::signed(0, false)

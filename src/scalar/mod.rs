@@ -16,6 +16,7 @@
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
+mod decay;
 mod division;
 mod factor;
 mod fixed_point;
@@ -29,6 +30,7 @@ use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
+pub use decay::Decay;
 pub use factor::{Coef, Gain, InvMass, Span};
 pub use stored::Stored;
 

@@ -1,0 +1,167 @@
+//! Exponentials of a coefficient, for drags that are solved exactly.
+//!
+//! ```text
+//! loss(x) = 1 - exp(-x) = x φ1       φ1 = (1 - exp(-x)) / x = 1 - x φ2       φ2 = (φ1's own)
+//! φ2(y)   = sum (-y)^n / (n + 2)!    for y <= 1/2
+//! φ1(2y)  = φ1 (1 - loss/2)          φ2(2y) = φ2/2 + φ1²/4      loss(2y) = loss (2 - loss)
+//! ```
+//!
+//! Halved until it is at most 1/2, summed, and doubled as often: no division, no table. All numbers
+//! lie between 0 and 1, in fixed point with two bits less than their storage. From x = 64 nothing is
+//! left that a coefficient could hold. The names are those of Hochbruck, Ostermann, "Exponential
+//! integrators", Acta Numerica 19 (2010), section 2, with the sign of x turned.
+
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+
+use super::Scalar;
+use super::factor::Coef;
+use super::raw::Raw;
+
+/// Doublings from which nothing is left of a velocity.
+const ENOUGH: u32 = 7;
+
+/// A number type in which drags can be solved exactly.
+pub trait Decay: Scalar {
+    /// For a rate times a time, `x >= 0`: the loss `1 - exp(-x)`, from 0 to 1; its mean over the
+    /// time, `(1 - exp(-x)) / x`; and the mean of what is lost by then, over x, `(x - loss) / x²`.
+    #[must_use]
+    fn decay(x: Self::Coef) -> [Self::Coef; 3];
+
+    /// `q / (1 + q)` for `q >= 0`: the loss of a drag that grows with the speed, and the share of a
+    /// body in a pair; from 0 to 1.
+    #[must_use]
+    fn share(q: Self::Coef) -> Self::Coef;
+}
+
+/// `2^fraction / (n + 2)!`, rounded.
+const fn inverse_factorial(n: u32, fraction: u32) -> u64 {
+    let (mut product, mut k) = (1_u128, 2);
+    while k <= n + 2 {
+        product *= k as u128;
+        k += 1;
+    }
+    ((1 << (fraction + 1)) / product).div_ceil(2) as u64
+}
+
+macro_rules! fixed_decay {
+    ($fixed:ident<$bound:ident>, $raw:ident, $terms:literal) => {
+        impl<F: $bound> Decay for $fixed<F> {
+            fn decay(x: Coef<$raw>) -> [Coef<$raw>; 3] {
+                const FRACTION: u32 = $raw::BITS - 2;
+                const ONE: $raw = 1 << FRACTION;
+                const TERMS: [$raw; $terms] = {
+                    let (mut terms, mut n) = ([0; $terms], 0);
+                    while n < $terms {
+                        terms[n] = inverse_factorial(n as u32, FRACTION) as $raw;
+                        n += 1;
+                    }
+                    terms
+                };
+                let times = |a: $raw, b: $raw| $raw::rounded(a.product(b), FRACTION);
+                let of = |value| Coef::of_raw(value, FRACTION);
+                let (mantissa, shift) = x.parts();
+                // x < 2^above, so that this many halvings bring it to 1/2 or below.
+                let above = $raw::BITS as i32 - mantissa.leading_zeros() as i32 - shift as i32;
+                let doublings = (above + 1).max(0) as u32;
+                if mantissa <= 0 {
+                    return [of(0), of(ONE), of(ONE / 2)];
+                }
+                if doublings > ENOUGH {
+                    let up = mantissa.leading_zeros() - 1;
+                    let inverse = Coef::of_raw(mantissa << up, shift + up).inverse();
+                    let rest = ONE - inverse.of(ONE);
+                    return [of(ONE), inverse, inverse.times(of(rest))];
+                }
+                let y = match (shift + doublings).checked_sub(FRACTION) {
+                    None | Some(0) => mantissa << (FRACTION - shift - doublings),
+                    Some(down) => $raw::rounded(mantissa.product(1), down),
+                };
+                let sum = |sum, &term: &$raw| term - times(y, sum);
+                let mut mean_loss = TERMS.iter().rev().fold(0, sum);
+                let mut mean = ONE - times(y, mean_loss);
+                if doublings == 0 {
+                    // The product keeps the digits of a small x.
+                    return [x.times(of(mean)), of(mean), of(mean_loss)];
+                }
+                let mut loss = times(y, mean);
+                for _ in 0..doublings {
+                    mean_loss = mean_loss / 2 + times(mean, mean) / 4;
+                    mean -= times(mean, loss / 2);
+                    loss += times(loss, ONE - loss);
+                }
+                [of(loss), of(mean), of(mean_loss)]
+            }
+
+            // m / 2^k over 1 + m / 2^k. Below one the quotient keeps the digits of m; above, it
+            // is rounded within 0 to 1, as the divisor is never less than half of m.
+            fn share(q: Coef<$raw>) -> Coef<$raw> {
+                const TOP: u32 = $raw::BITS - 2;
+                let (mantissa, shift) = q.parts();
+                if mantissa <= 0 {
+                    return Coef::of_raw(0, 1);
+                }
+                if shift <= TOP && mantissa >> shift != 0 {
+                    let divisor = (mantissa >> 1) + ((1 << shift) >> 1);
+                    let value = $raw::quotient(mantissa.product(1 << (TOP - 1)), divisor);
+                    return Coef::of_raw(value, TOP);
+                }
+                let scaled = match shift.checked_sub(TOP) {
+                    None => mantissa << (TOP - shift),
+                    Some(down) => mantissa >> down.min($raw::BITS - 1),
+                };
+                let divisor = scaled + (1 << TOP);
+                Coef::of_raw($raw::quotient(mantissa.product(1 << TOP), divisor), shift)
+            }
+        }
+    };
+}
+
+fixed_decay!(FixedI32<LeEqU32>, i32, 10);
+fixed_decay!(FixedI64<LeEqU64>, i64, 17);
+
+macro_rules! float_decay {
+    ($float:ident, $terms:literal) => {
+        impl Decay for $float {
+            fn decay(x: $float) -> [$float; 3] {
+                let (mut y, mut doublings) = (x, 0);
+                while y > 0.5 && doublings <= ENOUGH {
+                    (y, doublings) = (y * 0.5, doublings + 1);
+                }
+                if doublings > ENOUGH {
+                    return [1.0, 1.0 / x, (1.0 - 1.0 / x) / x];
+                }
+                const TERMS: [$float; $terms] = {
+                    let (mut terms, mut n) = ([0.0; $terms], 0);
+                    while n < $terms {
+                        let term = inverse_factorial(n as u32, 62) as $float;
+                        terms[n] = term / (1_u64 << 62) as $float;
+                        n += 1;
+                    }
+                    terms
+                };
+                let sum = |sum, &term: &$float| term - y * sum;
+                let mut mean_loss = TERMS.iter().rev().fold(0.0, sum);
+                let mut mean = 1.0 - y * mean_loss;
+                let mut loss = y * mean;
+                for _ in 0..doublings {
+                    mean_loss = mean_loss * 0.5 + mean * mean * 0.25;
+                    mean -= mean * loss * 0.5;
+                    loss += loss * (1.0 - loss);
+                }
+                [loss, mean, mean_loss]
+            }
+
+            fn share(q: $float) -> $float {
+                if q < 1.0 {
+                    q / (1.0 + q)
+                } else {
+                    1.0 / (1.0 + 1.0 / q)
+                }
+            }
+        }
+    };
+}
+
+float_decay!(f32, 10);
+float_decay!(f64, 17);
