@@ -41,6 +41,7 @@ pub mod vec2;
 pub mod accumulator;
 pub mod between;
 pub mod body;
+pub mod carried;
 pub mod id;
 pub mod mass;
 mod propagator;
@@ -67,6 +68,7 @@ pub use heapless;
 pub use accumulator::{Accumulator, Due};
 pub use between::Between;
 pub use body::{Body, Point};
+pub use carried::Carried;
 pub use error::{Error, Full};
 pub use force::{
     AllBodies, AllPairs, Anchor, Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring,
@@ -77,7 +79,7 @@ pub use id::{BodyId, Stale};
 pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
 pub use mass::{CentreOfMass, PointMass};
 pub use ratio::Ratio;
-pub use scalar::{Decay, Factor, Scalar, Stored};
+pub use scalar::{Carry, Decay, Factor, Scalar, Stored};
 pub use snapshot::{Saved, SnapshotError};
 pub use step::{DyadicStep, Step, TimeStep};
 pub use time::{Now, Time};

@@ -7,7 +7,7 @@
 
 use crate::error::Error;
 use crate::ratio::Ratio;
-use crate::scalar::{Factor, Scalar};
+use crate::scalar::{Carry, Factor, Scalar};
 
 /// A fixed timestep, with its length `h` in the forms that forces and stages need.
 pub trait TimeStep<S: Scalar>: Copy {
@@ -22,6 +22,26 @@ pub trait TimeStep<S: Scalar>: Copy {
     /// `h/2 * rate`.
     #[must_use]
     fn half_of(&self, rate: S) -> S;
+
+    /// `h * rate` added to a place that keeps what is rounded away: of `h` alone, as a coefficient.
+    #[inline]
+    #[must_use]
+    fn carry(&self, place: S::Place, rate: S) -> S::Place
+    where
+        S: Carry,
+    {
+        S::moved(place, rate, self.coef(), 0)
+    }
+
+    /// `h/2 * rate`, in the same way.
+    #[inline]
+    #[must_use]
+    fn carry_half(&self, place: S::Place, rate: S) -> S::Place
+    where
+        S: Carry,
+    {
+        S::moved(place, rate, self.coef(), 1)
+    }
 
     /// `h` in seconds, exactly.
     #[must_use]
@@ -197,6 +217,22 @@ impl<S: Scalar, const NUM: u32, const SHIFT: u32> TimeStep<S> for DyadicStep<S, 
     #[inline(always)]
     fn half_of(&self, rate: S) -> S {
         rate.dyadic(NUM, SHIFT + 1)
+    }
+
+    #[inline(always)]
+    fn carry(&self, place: S::Place, rate: S) -> S::Place
+    where
+        S: Carry,
+    {
+        S::moved_dyadic(place, rate, NUM, SHIFT)
+    }
+
+    #[inline(always)]
+    fn carry_half(&self, place: S::Place, rate: S) -> S::Place
+    where
+        S: Carry,
+    {
+        S::moved_dyadic(place, rate, NUM, SHIFT + 1)
     }
 
     #[inline]

@@ -14,7 +14,7 @@ const RUNGS: [&[&str]; 12] = [
     &["id", "step"],
     &["time", "accumulator", "between"],
     &["body"],
-    &["mass", "propagator"],
+    &["mass", "propagator", "carried"],
     &["force"],
     &["integrate"],
     &["world"],

@@ -16,6 +16,7 @@
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
+mod carry;
 mod decay;
 mod division;
 mod factor;
@@ -30,6 +31,7 @@ use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
+pub use carry::Carry;
 pub use decay::Decay;
 pub use factor::{Coef, Gain, InvMass, Span};
 pub use stored::Stored;

@@ -1,0 +1,217 @@
+//! A body that keeps what its roundings leave over.
+
+use crate::body::{Body, Point};
+use crate::error::Error;
+use crate::ratio::Ratio;
+use crate::scalar::Carry;
+use crate::step::TimeStep;
+use crate::vec2::Vec2;
+
+/// A point with mass that adds up what every drift and kick rounds away: 32 bytes in a 32-bit scalar,
+/// where [`Point`] has 20.
+///
+/// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to
+/// the last digit of `h`; a body under drag comes to rest where it should; and the momentum of bodies that
+/// push each other, counted with remainders by [`momentum`](Carried::momentum), is constant to the bit (up
+/// to `2^15` kg; a heavier body rounds an impulse to its own unit). Forces see positions and velocities
+/// rounded, as a [`Point`] has them.
+///
+/// ```
+/// use fixstep::{dec, vec2, Carried, SemiImplicitEuler, Step, World, fixed::types::I16F16};
+/// let mut world = World::<Carried<I16F16>, 1>::new();
+/// let id = world.add(Carried::new(vec2(0, 0)?, vec2(dec!(0.001), 0)?, 1)?)?;
+/// for _ in 0..60_000 {
+///     world.step(&mut SemiImplicitEuler, &mut (), &Step::hz(60)?);
+/// }
+/// // A speed of 66 units: a point would drift at 60 of them.
+/// let exact = 66.0 / 65536.0 * 1000.0;
+/// assert!((world.get(id)?.position().x.to_num::<f64>() - exact).abs() < 1e-5);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried<S: Carry> {
+    place: [S::Place; 2],
+    velocity: Vec2<S>,
+    inv_mass: S::InvMass,
+    rest: [S::Rest; 2],
+}
+
+impl<S: Carry> Carried<S> {
+    /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg). Refuses what
+    /// [`Point::new`] refuses.
+    #[inline]
+    pub fn new(
+        position: Vec2<S>,
+        velocity: Vec2<S>,
+        mass: impl Into<Ratio>,
+    ) -> Result<Carried<S>, Error> {
+        Ok(Point::new(position, velocity, mass)?.into())
+    }
+
+    /// Position, m, rounded.
+    #[inline]
+    #[must_use]
+    pub fn position(&self) -> Vec2<S> {
+        let [x, y] = self.place;
+        Vec2::new(S::seen(x), S::seen(y))
+    }
+
+    /// Velocity, m/s, rounded.
+    #[inline]
+    #[must_use]
+    pub const fn velocity(&self) -> Vec2<S> {
+        self.velocity
+    }
+
+    /// Momentum with its remainder, kg m/s; for reports. Exact in fixed point, so that sums of it can be
+    /// compared to the bit.
+    #[must_use]
+    pub fn momentum(&self) -> Vec2<f64> {
+        let [x, y] = self.kept().map(|kept| S::momentum(kept, self.inv_mass));
+        Vec2::new(x, y)
+    }
+
+    /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
+    pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
+        crate::body::finite("position", position)?;
+        self.place = position.array().map(S::place);
+        Ok(())
+    }
+
+    /// Gives the point another velocity. Refuses NaN and infinity.
+    pub fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
+        crate::body::finite("velocity", velocity)?;
+        self.set([(velocity.x, S::NO_REST), (velocity.y, S::NO_REST)]);
+        Ok(())
+    }
+
+    /// Both parts of the velocity with their remainders.
+    #[inline]
+    fn kept(&self) -> [(S, S::Rest); 2] {
+        let [rest_x, rest_y] = self.rest;
+        [(self.velocity.x, rest_x), (self.velocity.y, rest_y)]
+    }
+
+    #[inline]
+    fn set(&mut self, [(x, rest_x), (y, rest_y)]: [(S, S::Rest); 2]) {
+        self.velocity = Vec2::new(x, y);
+        self.rest = [rest_x, rest_y];
+    }
+
+    /// `v += change` for a change that leaves nothing over.
+    #[inline]
+    fn add(&mut self, change: Vec2<S>) {
+        self.velocity += change;
+    }
+}
+
+/// With nothing left over yet.
+impl<S: Carry> From<Point<S>> for Carried<S> {
+    #[inline]
+    fn from(point: Point<S>) -> Carried<S> {
+        Carried {
+            place: point.position().array().map(S::place),
+            velocity: point.velocity(),
+            inv_mass: point.inv_mass(),
+            rest: [S::NO_REST; 2],
+        }
+    }
+}
+
+impl<S: Carry> Body for Carried<S> {
+    type S = S;
+
+    #[inline]
+    fn position(&self) -> Vec2<S> {
+        self.position()
+    }
+
+    #[inline]
+    fn velocity(&self) -> Vec2<S> {
+        self.velocity
+    }
+
+    #[inline]
+    fn inv_mass(&self) -> S::InvMass {
+        self.inv_mass
+    }
+
+    #[inline]
+    fn kick(&mut self, dv: Vec2<S>) {
+        self.add(dv);
+    }
+
+    #[inline]
+    fn kick_y(&mut self, dv: S) {
+        self.velocity.y = self.velocity.y.plus(dv);
+    }
+
+    #[inline]
+    fn kick_by(&mut self, value: Vec2<S>, factor: S::Coef) {
+        let [x, y] = self.kept();
+        self.set([S::kicked(x, value.x, factor), S::kicked(y, value.y, factor)]);
+    }
+
+    #[inline]
+    fn brake_by(&mut self, value: Vec2<S>, factor: S::Coef) {
+        self.kick_by(-value, factor);
+    }
+
+    #[inline]
+    fn push(&mut self, impulse: Vec2<S>) {
+        let ([x, y], inv_mass) = (self.kept(), self.inv_mass);
+        self.set([
+            S::pushed(x, impulse.x, inv_mass),
+            S::pushed(y, impulse.y, inv_mass),
+        ]);
+    }
+
+    #[inline]
+    fn damp(&mut self, loss: S::Coef) {
+        self.set(self.kept().map(|kept| S::damped(kept, loss)));
+    }
+
+    #[inline]
+    fn shift(&mut self, dx: Vec2<S>) {
+        let [x, y] = self.place;
+        self.place = [
+            S::moved_dyadic(x, dx.x, 1, 0),
+            S::moved_dyadic(y, dx.y, 1, 0),
+        ];
+    }
+
+    #[inline]
+    fn move_by(&mut self, value: Vec2<S>, factor: S::Coef) {
+        let [x, y] = self.place;
+        self.place = [
+            S::moved(x, value.x, factor, 0),
+            S::moved(y, value.y, factor, 0),
+        ];
+    }
+
+    #[inline]
+    fn drift(&mut self, step: &impl TimeStep<S>) {
+        let ([x, y], v) = (self.place, self.velocity);
+        self.place = [step.carry(x, v.x), step.carry(y, v.y)];
+    }
+
+    #[inline]
+    fn drift_half(&mut self, step: &impl TimeStep<S>) {
+        let ([x, y], v) = (self.place, self.velocity);
+        self.place = [step.carry_half(x, v.x), step.carry_half(y, v.y)];
+    }
+
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        let (position, velocity) = (self.position().array(), self.velocity.array());
+        position
+            .into_iter()
+            .chain(velocity)
+            .for_each(|scalar| write(scalar.bits()));
+        self.place
+            .into_iter()
+            .for_each(|place| write(S::left_over(place)));
+        self.rest
+            .into_iter()
+            .for_each(|rest| write(S::rest_bits(rest)));
+    }
+}
