@@ -17,6 +17,7 @@ use fixed::types::extra::LeEqU32;
 
 use super::Scalar;
 use super::factor::{Coef, InvMass};
+use super::high_product::product_i32;
 use super::raw::Raw;
 
 /// A number type whose roundings can be kept.
@@ -110,6 +111,16 @@ fn scaled(value: i32, mantissa: i32, shift: u32, fraction: u32) -> i64 {
     }
 }
 
+/// `place + change` for a change that leaves its upper word room for one more. The upper word
+/// saturates alone: there the lower one no longer matters.
+#[inline]
+fn advanced(place: i64, change: i64) -> i64 {
+    let (low, carry) = (place as u32).overflowing_add(change as u32);
+    let more = ((change >> 32) as i32).wrapping_add(carry as i32);
+    let high = ((place >> 32) as i32).saturating_add(more);
+    (high as i64) << 32 | low as i64
+}
+
 /// A velocity in units of `2^-15` and back, the remainder at most half a unit of the type.
 #[inline]
 fn fine(value: i32, rest: i16) -> i64 {
@@ -163,10 +174,19 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         FixedI32::from_bits(i32::rounded(place, 32))
     }
 
+    // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
+    // by 2^-32 of such a unit, so that its product never lies half-way: see `factor.rs`.
     #[inline]
     fn moved(place: i64, value: Self, factor: Coef<i32>, halvings: u32) -> i64 {
         let (mantissa, shift) = factor.parts();
-        place.saturating_add(scaled(value.to_bits(), mantissa, shift + halvings, 32))
+        let (value, shift) = (value.to_bits(), shift + halvings);
+        if !(33..=62).contains(&shift) {
+            return place.saturating_add(scaled(value, mantissa, shift, 32));
+        }
+        let fraction = mantissa << (64 - shift) | 1;
+        let whole = (mantissa >> (shift - 32)) + (fraction < 0) as i32;
+        let part = (product_i32(value, fraction) + (1 << 31)) >> 32;
+        advanced(place, product_i32(value, whole) + part)
     }
 
     // Below a second the product cannot leave the range.
@@ -174,10 +194,10 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     fn moved_dyadic(place: i64, value: Self, num: u32, shift: u32) -> i64 {
         let product = value.to_bits() as i64 * num as i64;
         let unit = 1_i64 << (32 - shift);
-        place.saturating_add(match num >> shift {
-            0 => product.wrapping_mul(unit),
-            _ => product.saturating_mul(unit),
-        })
+        match num >> shift {
+            0 => advanced(place, product.wrapping_mul(unit)),
+            _ => place.saturating_add(product.saturating_mul(unit)),
+        }
     }
 
     #[inline]

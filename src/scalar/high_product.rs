@@ -15,6 +15,20 @@ pub(super) fn high_product_i32(a: i32, b: i32) -> i32 {
     high_product_halves(a, b)
 }
 
+/// The whole product.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(super) fn product_i32(a: i32, b: i32) -> i64 {
+    a as i64 * b as i64
+}
+
+/// The whole product: its low word is what the multiplier gives.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+pub(super) fn product_i32(a: i32, b: i32) -> i64 {
+    (high_product_halves(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
+}
+
 #[inline(always)]
 pub(super) fn high_product_i64(a: i64, b: i64) -> i64 {
     ((a as i128 * b as i128) >> 64) as i64
