@@ -159,11 +159,7 @@ impl<S: Carry> Body for Carried<S> {
 
     #[inline]
     fn push(&mut self, impulse: Vec2<S>) {
-        let ([x, y], inv_mass) = (self.kept(), self.inv_mass);
-        self.set([
-            S::pushed(x, impulse.x, inv_mass),
-            S::pushed(y, impulse.y, inv_mass),
-        ]);
+        self.set(S::pushed(self.kept(), impulse.array(), self.inv_mass));
     }
 
     #[inline]

@@ -13,7 +13,7 @@ mod scene;
 use carry::{Carried, Compensated};
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Body, DyadicStep, Error, Force, Method, Point, Scalar, SemiImplicitEuler, Step, Stored,
+    Body, Decay, DyadicStep, Error, Force, Method, Point, SemiImplicitEuler, Step, Stored,
     TimeStep, Verlet, World,
 };
 use force_scene::{Eight, Meter};
@@ -75,9 +75,9 @@ where
 #[derive(Default)]
 struct Hashes(Vec<(String, u64)>);
 
-impl<S: Scalar> Meter<S> for Hashes {
-    fn force<F: Force<Point<S>>>(&mut self, name: &str, _: u32, mut force: F) -> Result<(), Error> {
-        let mut world = Eight::<S>::new();
+impl<B: Body + From<Point<B::S>>> Meter<B> for Hashes {
+    fn force<F: Force<B>>(&mut self, name: &str, _: u32, mut force: F) -> Result<(), Error> {
+        let mut world = Eight::<B>::new();
         force_scene::build(&mut world)?;
         force_scene::run(&mut world, &mut force, &Step::hz(60)?, FORCE_STEPS);
         self.0.push((name.into(), world.state_hash()));
@@ -90,10 +90,15 @@ impl<S: Scalar> Meter<S> for Hashes {
 }
 
 impl Hashes {
-    fn of<S: Scalar<InvMass: Stored> + Stored>() -> Hashes {
-        let mut hashes = Hashes::default();
-        force_scene::forces::<S>(&mut hashes).unwrap();
+    fn of<S: Decay<InvMass: Stored> + Stored>() -> Hashes {
+        let mut hashes = Hashes::of_forces::<Point<S>>();
         force_scene::beside::<S>(&mut hashes).unwrap();
+        hashes
+    }
+
+    fn of_forces<B: Body<S: Decay> + From<Point<B::S>>>() -> Hashes {
+        let mut hashes = Hashes::default();
+        force_scene::forces::<B>(&mut hashes).unwrap();
         hashes
     }
 
@@ -106,6 +111,7 @@ impl Hashes {
 #[test]
 fn the_host_makes_the_bits_of_the_targets() {
     let (fixed, float) = (Hashes::of::<I16F16>(), Hashes::of::<f32>());
+    let carried = Hashes::of_forces::<fixstep::Carried<I16F16>>();
     let mut compared = 0;
     for [target, scene, body, step, method, _, expected] in rows() {
         let hash = match (scene, body) {
@@ -118,6 +124,7 @@ fn the_host_makes_the_bits_of_the_targets() {
             ("gravity", "f32 compensated") => by_step::<Compensated>(step, method),
             (scene, "I16F16") => fixed.named(scene),
             (scene, "f32") => float.named(scene),
+            (scene, "I16F16 carried") => carried.named(scene),
             other => panic!("no such row: {other:?}"),
         };
         assert_eq!(

@@ -17,6 +17,8 @@
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
 mod carry;
+mod carry_fixed;
+mod carry_float;
 mod decay;
 mod division;
 mod factor;

@@ -5,43 +5,44 @@ use core::hint::black_box;
 
 use fixstep::snapshot::HEADER;
 use fixstep::{
-    Accumulator, AllPairs, Anchor, Between, BodyId, Error, Force, LinearDrag, Pairs, PerBody,
-    Point, Pull, Push, QuadraticDrag, Scalar, SemiImplicitEuler, Spring, Step, Stored, Time, Vec2,
-    World, dec, vec2,
+    Accumulator, AllPairs, Anchor, Ballistic, Between, Body, BodyId, Decay, Error, ExactDrag,
+    ExactPair, ExactQuadraticDrag, ExactSpring, Force, LinearDrag, Pairs, PerBody, Point, Pull,
+    Push, QuadraticDrag, Scalar, SemiImplicitEuler, Spring, Step, Stored, Time, Vec2, World, dec,
+    vec2,
 };
 
 /// Points in the scene.
 pub const POINTS: usize = 8;
 
 /// The world of the scene.
-pub type Eight<S> = World<Point<S>, POINTS>;
+pub type Eight<B> = World<B, POINTS>;
 
 /// Prices what it is shown.
-pub trait Meter<S: Scalar> {
+pub trait Meter<B: Body> {
     /// A force that acts on so many bodies or pairs.
-    fn force<F: Force<Point<S>>>(&mut self, name: &str, units: u32, force: F) -> Result<(), Error>;
+    fn force<F: Force<B>>(&mut self, name: &str, units: u32, force: F) -> Result<(), Error>;
 
     /// Work of so many units; `hash` looks at what it made and is not counted.
     fn work<T>(&mut self, name: &str, units: u32, work: impl FnOnce() -> T, hash: fn(T) -> u64);
 }
 
 /// Points of 1.5 kg on two rows, each with another velocity.
-pub fn build<S: Scalar>(world: &mut Eight<S>) -> Result<(), Error> {
+pub fn build<B: Body + From<Point<B::S>>>(world: &mut Eight<B>) -> Result<(), Error> {
     world.clear();
     for i in 0..POINTS as i32 {
         let position = vec2(3 * i - 11, 5 * (i & 1) - i)?;
         let point = Point::new(position, vec2(i - 3, 4 - i)?, dec!(1.5))?;
-        let _ = world.add(point);
+        let _ = world.add(point.into());
     }
     Ok(())
 }
 
 /// Makes `steps` steps.
 #[inline(never)]
-pub fn run<S: Scalar>(
-    world: &mut Eight<S>,
-    force: &mut impl Force<Point<S>>,
-    step: &Step<S>,
+pub fn run<B: Body>(
+    world: &mut Eight<B>,
+    force: &mut impl Force<B>,
+    step: &Step<B::S>,
     steps: u32,
 ) {
     for _ in 0..steps {
@@ -50,8 +51,11 @@ pub fn run<S: Scalar>(
 }
 
 /// Shows every force to `meter`; none at all comes first.
-pub fn forces<S: Scalar>(meter: &mut impl Meter<S>) -> Result<(), Error> {
-    let mut world = Eight::<S>::new();
+pub fn forces<B>(meter: &mut impl Meter<B>) -> Result<(), Error>
+where
+    B: Body<S: Decay> + From<Point<B::S>>,
+{
+    let mut world = Eight::<B>::new();
     build(&mut world)?;
     let Ok(ids) = <[BodyId; POINTS]>::try_from(world.ids()) else {
         return Ok(());
@@ -59,8 +63,8 @@ pub fn forces<S: Scalar>(meter: &mut impl Meter<S>) -> Result<(), Error> {
     let [a, b, c, d, e, f, g, h] = ids;
     let chain = [[a, b], [b, c], [c, d], [d, e], [e, f], [f, g], [g, h]];
     let (thrust, origin) = (vec2(2, -1)?, vec2(1, 2)?);
-    let mild = S::ratio(dec!(0.25)).unwrap_or(S::ZERO);
-    let wind = PerBody(move |_: Time, _: &Point<S>| Vec2::new(mild, S::ZERO));
+    let mild = B::S::ratio(dec!(0.25)).unwrap_or(B::S::ZERO);
+    let wind = PerBody(move |_: Time, _: &B| Vec2::new(mild, B::S::ZERO));
     let pull = Pull::new(black_box(10), dec!(0.5))?;
     let anchor = Anchor::new(a, origin, 20, dec!(0.5))?;
     let [_, rest @ ..] = ids;
@@ -80,16 +84,43 @@ pub fn forces<S: Scalar>(meter: &mut impl Meter<S>) -> Result<(), Error> {
         Pairs::new(Spring::new(2, 40, dec!(0.5))?, chain),
     )?;
     meter.force("Pairs<Pull>", 7, Pairs::new(pull, chain))?;
-    meter.force("AllPairs<Pull>", 28, AllPairs(pull))
+    meter.force("AllPairs<Pull>", 28, AllPairs(pull))?;
+    exact::<B>(meter, ids)
+}
+
+/// Drags and springs that are solved exactly; those that flow take the place of the drift.
+fn exact<B>(meter: &mut impl Meter<B>, ids: [BodyId; POINTS]) -> Result<(), Error>
+where
+    B: Body<S: Decay> + From<Point<B::S>>,
+{
+    let [a, b, c, d, e, f, g, h] = ids;
+    let origin = vec2(1, 2)?;
+    meter.force("ExactDrag", 8, ExactDrag::new(dec!(0.1))?)?;
+    let quadratic = ExactQuadraticDrag::new(dec!(0.05))?;
+    meter.force("ExactQuadraticDrag", 8, quadratic)?;
+    let flight = Ballistic::new(vec2(0, -5)?, dec!(0.1))?;
+    meter.force("Ballistic", 8, flight)?;
+    let tied = |damping_ratio| {
+        let mut springs = [ExactSpring::new(a, origin, dec!(0.6), damping_ratio)?; POINTS];
+        for (spring, id) in springs.iter_mut().zip(ids) {
+            *spring = ExactSpring::new(id, origin, dec!(0.6), damping_ratio)?;
+        }
+        Ok::<_, Error>(springs)
+    };
+    meter.force("ExactSpring", 8, tied(dec!(0.1))?)?;
+    meter.force("ExactSpring, undamped", 8, tied(dec!(0))?)?;
+    let pair = |i, j| ExactPair::new([i, j], vec2(2, 0)?, dec!(0.6), dec!(0.1));
+    let pairs = [pair(a, b)?, pair(c, d)?, pair(e, f)?, pair(g, h)?];
+    meter.force("ExactPair", 4, pairs)
 }
 
 /// Shows what is done beside the steps: nothing at all, then frames, pictures, snapshots.
-pub fn beside<S>(meter: &mut impl Meter<S>) -> Result<(), Error>
+pub fn beside<S>(meter: &mut impl Meter<Point<S>>) -> Result<(), Error>
 where
     S: Scalar<InvMass: Stored> + Stored,
 {
     let step = Step::<S>::hz(60)?;
-    let mut before = Eight::<S>::new();
+    let mut before = Eight::<Point<S>>::new();
     build(&mut before)?;
     let mut after = before.clone();
     run(black_box(&mut after), &mut (), &step, 1);

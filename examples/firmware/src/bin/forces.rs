@@ -7,7 +7,7 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use fixstep::fixed::types::I16F16;
-use fixstep::{Error, Force, Point, Scalar, Step, Stored};
+use fixstep::{Body, Carried, Decay, Error, Force, Point, Step, Stored};
 use fixstep_firmware::force_scene::{self, Eight, Meter};
 use fixstep_firmware::{count, print};
 
@@ -16,7 +16,7 @@ const STEPS: u32 = 100;
 
 /// Prints a row a force, and remembers what the first costs.
 struct Counter {
-    scalar: &'static str,
+    body: &'static str,
     without: Option<u32>,
 }
 
@@ -28,7 +28,7 @@ impl Counter {
         };
         print::text(name);
         print::text("\t");
-        print::text(self.scalar);
+        print::text(self.body);
         print::text("\t1/60\tSemiImplicitEuler\t");
         let more = counted.saturating_sub(without) as u64;
         print::tenths(more * 10 / units as u64);
@@ -38,14 +38,14 @@ impl Counter {
     }
 }
 
-impl<S: Scalar> Meter<S> for Counter {
-    fn force<F: Force<Point<S>>>(
+impl<B: Body + From<Point<B::S>>> Meter<B> for Counter {
+    fn force<F: Force<B>>(
         &mut self,
         name: &str,
         units: u32,
         mut force: F,
     ) -> Result<(), Error> {
-        let mut world = Eight::<S>::new();
+        let mut world = Eight::<B>::new();
         force_scene::build(&mut world)?;
         let step = black_box(Step::hz(60)?);
         force_scene::run(black_box(&mut world), &mut force, &step, STEPS);
@@ -64,22 +64,31 @@ impl<S: Scalar> Meter<S> for Counter {
     }
 }
 
-fn rows<S>(scalar: &'static str) -> Result<(), Error>
-where
-    S: Scalar<InvMass: Stored> + Stored,
-{
-    let counter = || Counter {
-        scalar,
+fn counter(body: &'static str) -> Counter {
+    Counter {
+        body,
         without: None,
-    };
-    force_scene::forces::<S>(&mut counter())?;
-    force_scene::beside::<S>(&mut counter())
+    }
+}
+
+fn rows<S>(body: &'static str) -> Result<(), Error>
+where
+    S: Decay<InvMass: Stored> + Stored,
+{
+    force_scene::forces::<Point<S>>(&mut counter(body))?;
+    force_scene::beside::<S>(&mut counter(body))
+}
+
+fn all() -> Result<(), Error> {
+    rows::<I16F16>("I16F16")?;
+    rows::<f32>("f32")?;
+    force_scene::forces::<Carried<I16F16>>(&mut counter("I16F16 carried"))
 }
 
 #[entry]
 fn main() -> ! {
     count::start();
-    match rows::<I16F16>("I16F16").and_then(|()| rows::<f32>("f32")) {
+    match all() {
         Ok(()) => print::exit(),
         Err(_) => print::fail("a constructor refused a value\n"),
     }
