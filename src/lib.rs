@@ -31,6 +31,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod decimal;
 pub mod error;
 mod fnv;
 mod oscillation;

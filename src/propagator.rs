@@ -59,10 +59,10 @@ impl Swing {
         })
     }
 
-    /// `ω²`, 1/s², for reports.
-    pub(crate) fn stiffness(self) -> f64 {
+    /// Energy of a displacement, J.
+    pub(crate) fn potential(self, z: Vec2<f64>, inv_mass: f64) -> f64 {
         let omega = core::f64::consts::TAU * self.hertz.to_f64();
-        omega * omega
+        0.5 * omega * omega * z.dot(z) / inv_mass
     }
 }
 

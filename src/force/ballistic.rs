@@ -11,7 +11,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Frame, Part, PerStep, coefficient, half, uniform_potential};
+use crate::force::{Force, Frame, Part, PerStep, coefficient, half};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Scalar};
@@ -138,6 +138,6 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        uniform_potential(self.acceleration, bodies)
+        super::potential(self.acceleration, bodies)
     }
 }

@@ -153,7 +153,7 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         };
         let [xa, xb] = [a, b].map(|body| body.position().to_f64());
         let z = xb - xa - self.rest.to_f64();
-        let reduced = 1.0 / (a.inv_mass().to_f64() + b.inv_mass().to_f64());
-        0.5 * reduced * self.swing.stiffness() * z.dot(z)
+        let inverse = a.inv_mass().to_f64() + b.inv_mass().to_f64();
+        self.swing.potential(z, inverse)
     }
 }

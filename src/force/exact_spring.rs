@@ -158,7 +158,7 @@ impl<B: Body> Force<B> for ExactSpring<B::S> {
         let body = id::position(ids, self.body).and_then(|i| bodies.get(i));
         body.map_or(0.0, |body| {
             let z = body.position().to_f64() - self.point.to_f64();
-            0.5 * self.swing.stiffness() * z.dot(z) / body.inv_mass().to_f64()
+            self.swing.potential(z, body.inv_mass().to_f64())
         })
     }
 }

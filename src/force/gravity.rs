@@ -6,7 +6,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, PerStep, uniform_potential};
+use crate::force::{Force, PerStep};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
@@ -61,7 +61,7 @@ impl<B: Body> Force<B> for Gravity<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        uniform_potential(self.acceleration, bodies)
+        super::potential(self.acceleration, bodies)
     }
 }
 
@@ -108,6 +108,6 @@ impl<B: Body> Force<B> for GravityY<B::S> {
     }
 
     fn potential(&self, _ids: &[BodyId], bodies: &[B]) -> f64 {
-        uniform_potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
+        super::potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
     }
 }

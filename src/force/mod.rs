@@ -202,7 +202,7 @@ pub trait Force<B: Body> {
 }
 
 /// `-sum(m g·x)`: the potential energy in an acceleration that is the same everywhere.
-fn uniform_potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
+fn potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
     let g = acceleration.to_f64();
     bodies
         .iter()

@@ -5,8 +5,23 @@
 use super::Scalar;
 use super::carry::Carry;
 
+/// The upper half of the bits of an excess, rounded: it is small beside its sum, and the digits that
+/// are left are enough.
+macro_rules! short {
+    ($bits:ident, $rest:ident, $excess:expr) => {{
+        const HALF: u32 = $bits::BITS / 2;
+        ($excess.to_bits().wrapping_add(1 << (HALF - 1)) >> HALF) as $rest
+    }};
+}
+
+macro_rules! long {
+    ($float:ident, $bits:ident, $rest:expr) => {
+        $float::from_bits(($rest as $bits) << ($bits::BITS / 2))
+    };
+}
+
 macro_rules! float_carry {
-    ($float:ident, $bits:ident, $rest:ident, $lost:expr, $short:expr) => {
+    ($float:ident, $bits:ident, $rest:ident) => {
         impl Carry for $float {
             /// The sum, and what it has too much.
             type Place = [$float; 2];
@@ -54,15 +69,15 @@ macro_rules! float_carry {
                 value: $float,
                 factor: $float,
             ) -> ($float, $rest) {
-                let [v, excess] = Self::moved([v, $lost(rest)], value, factor, 0);
-                (v, $short(excess))
+                let [v, excess] = Self::moved([v, long!($float, $bits, rest)], value, factor, 0);
+                (v, short!($bits, $rest, excess))
             }
 
             #[inline]
             fn damped((v, rest): ($float, $rest), loss: $float) -> ($float, $rest) {
-                let excess = $lost(rest);
+                let excess = long!($float, $bits, rest);
                 let [v, excess] = Self::moved([v, excess - loss * excess], -v, loss, 0);
-                (v, $short(excess))
+                (v, short!($bits, $rest, excess))
             }
 
             #[inline]
@@ -78,7 +93,7 @@ macro_rules! float_carry {
             }
 
             fn momentum((v, rest): ($float, $rest), inv_mass: $float) -> f64 {
-                (v as f64 - $lost(rest) as f64) / inv_mass as f64
+                (v as f64 - long!($float, $bits, rest) as f64) / inv_mass as f64
             }
 
             fn left_over([_, excess]: [$float; 2]) -> u64 {
@@ -105,19 +120,5 @@ macro_rules! float_carry {
     };
 }
 
-// The upper half of its bits, rounded: what a sum has too much is small beside it, and eight digits
-// of that are enough.
-float_carry!(
-    f32,
-    u32,
-    u16,
-    |rest: u16| f32::from_bits((rest as u32) << 16),
-    |excess: f32| { (excess.to_bits().wrapping_add(0x8000) >> 16) as u16 }
-);
-float_carry!(
-    f64,
-    u64,
-    u32,
-    |rest: u32| f64::from_bits((rest as u64) << 32),
-    |excess: f64| { (excess.to_bits().wrapping_add(1 << 31) >> 32) as u32 }
-);
+float_carry!(f32, u32, u16);
+float_carry!(f64, u64, u32);

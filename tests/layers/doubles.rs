@@ -17,13 +17,15 @@ const READ_OUTS: [&str; 6] = [
 ];
 
 /// Where `f64` is the scalar itself.
-const INSTANCES: [(&str, &str); 2] = [
+const INSTANCES: [(&str, &str); 4] = [
+    ("scalar/carry_float.rs", "float_carry!(f64, "),
+    ("scalar/decay.rs", "float_decay!(f64, "),
     ("scalar/float.rs", "float_scalar!(f64, "),
     ("scalar/stored.rs", "float!(f64, "),
 ];
 
-/// Places of an `f64`: its name, a read-out, a literal. Literals of `float.rs` have the type that
-/// its macro is for.
+/// Places of an `f64`: its name, a read-out, a literal. Literals in the files of
+/// floats have the type that their macros are for.
 fn mentions(source: &Source) -> Vec<usize> {
     let code = &source.code;
     let named = READ_OUTS.iter().chain(&["f64"]).flat_map(|name| {
@@ -37,7 +39,7 @@ fn mentions(source: &Source) -> Vec<usize> {
         whole && code[at + 1..].starts_with(|c: char| c.is_ascii_digit())
     });
     match source.name.as_str() {
-        "scalar/float.rs" => named.collect(),
+        "scalar/carry_float.rs" | "scalar/decay.rs" | "scalar/float.rs" => named.collect(),
         _ => named.chain(literals).collect(),
     }
 }
