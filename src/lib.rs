@@ -77,7 +77,7 @@ pub use force::{
     QuadraticDrag, Spring, Window,
 };
 pub use id::{BodyId, Stale};
-pub use integrate::{ConstantAcceleration, Euler, Method, SemiImplicitEuler, Verlet};
+pub use integrate::{ConstantAcceleration, Euler, Method, Pefrl, Rk4, SemiImplicitEuler, Verlet};
 pub use mass::{CentreOfMass, PointMass};
 pub use ratio::Ratio;
 pub use scalar::{Carry, Decay, Factor, Scalar, Stored};

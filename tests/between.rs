@@ -19,8 +19,8 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{
-    Between, BodyId, ConstantAcceleration, Euler, Point, Ratio, SemiImplicitEuler, Step, Vec2,
-    Verlet, World, dec,
+    Between, BodyId, ConstantAcceleration, Euler, Pefrl, Point, Ratio, Rk4, SemiImplicitEuler,
+    Step, Vec2, Verlet, World, dec,
 };
 use support::*;
 
@@ -74,6 +74,8 @@ fn picture<S: Format>(
             after.between(before, &method, between).collect()
         }
         Scheme::Verlet => after.between(before, &Verlet, between).collect(),
+        Scheme::Rk4 => after.between(before, &Rk4::new(), between).collect(),
+        Scheme::Pefrl => after.between(before, &Pefrl::new(), between).collect(),
     }
 }
 

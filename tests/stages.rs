@@ -6,7 +6,7 @@ use fixstep::integrate::{drift, drift_half, kick};
 use fixstep::time::Now;
 use fixstep::{
     AllBodies, AllPairs, Anchor, Body, BodyId, ConstantAcceleration, Euler, Force, Gravity,
-    LinearDrag, Method, Pairs, PerBody, Point, Pull, Push, QuadraticDrag, Scalar,
+    LinearDrag, Method, Pairs, PerBody, Point, Pull, Push, QuadraticDrag, Rk4, Scalar,
     SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2, Verlet, Window, World, dec, vec2,
 };
 
@@ -272,4 +272,6 @@ fn the_order_of_forces_does_not_matter() {
     order_does_not_matter::<I8F24, _>(Euler::new);
     order_does_not_matter::<I16F16, _>(ConstantAcceleration::new);
     order_does_not_matter::<I32F32, _>(ConstantAcceleration::new);
+    order_does_not_matter::<I16F16, _>(Rk4::new);
+    order_does_not_matter::<I8F24, _>(Rk4::new);
 }

@@ -5,8 +5,8 @@
 use fixstep::fixed::types::extra::{LeEqU32, LeEqU64};
 use fixstep::fixed::{FixedI32, FixedI64};
 use fixstep::{
-    Anchor, Between, Body, BodyId, ConstantAcceleration, Euler, Force, Method, Point, Ratio,
-    Scalar, SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
+    Anchor, Between, Body, BodyId, ConstantAcceleration, Euler, Force, Method, Pefrl, Point, Ratio,
+    Rk4, Scalar, SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
 };
 
 /// A scalar that knows its name and the distance to its next value.
@@ -89,13 +89,25 @@ pub enum Scheme {
     ConstantAcceleration,
     SemiImplicitEuler,
     Verlet,
+    Rk4,
+    Pefrl,
 }
 
+/// The methods of the article and their kin: one force call a step, order 2 at most.
 pub const SCHEMES: [Scheme; 4] = [
     Scheme::Euler,
     Scheme::ConstantAcceleration,
     Scheme::SemiImplicitEuler,
     Scheme::Verlet,
+];
+
+pub const ALL_SCHEMES: [Scheme; 6] = [
+    Scheme::Euler,
+    Scheme::ConstantAcceleration,
+    Scheme::SemiImplicitEuler,
+    Scheme::Verlet,
+    Scheme::Rk4,
+    Scheme::Pefrl,
 ];
 
 impl Scheme {
@@ -105,6 +117,8 @@ impl Scheme {
             Scheme::ConstantAcceleration => Chosen::Constant(ConstantAcceleration::new()),
             Scheme::SemiImplicitEuler => Chosen::Semi(SemiImplicitEuler),
             Scheme::Verlet => Chosen::Verlet(Verlet),
+            Scheme::Rk4 => Chosen::Rk4(Rk4::new()),
+            Scheme::Pefrl => Chosen::Pefrl(Pefrl::new()),
         }
     }
 
@@ -112,17 +126,20 @@ impl Scheme {
     pub fn drifts(self) -> f64 {
         match self {
             Scheme::Euler | Scheme::SemiImplicitEuler => 1.0,
-            Scheme::ConstantAcceleration | Scheme::Verlet => 2.0,
+            Scheme::ConstantAcceleration | Scheme::Verlet | Scheme::Rk4 => 2.0,
+            Scheme::Pefrl => 5.0,
         }
     }
 }
 
-/// Any of the four methods.
-pub enum Chosen<B, const N: usize> {
+/// Any of the methods.
+pub enum Chosen<B: Body, const N: usize> {
     Euler(Euler<B, N>),
     Constant(ConstantAcceleration<B, N>),
     Semi(SemiImplicitEuler),
     Verlet(Verlet),
+    Rk4(Rk4<B, N>),
+    Pefrl(Pefrl<B::S>),
 }
 
 impl<B: Body, const N: usize> Method<B, N> for Chosen<B, N> {
@@ -139,6 +156,8 @@ impl<B: Body, const N: usize> Method<B, N> for Chosen<B, N> {
             Chosen::Constant(method) => method.step(ids, bodies, forces, step, tick),
             Chosen::Semi(method) => Method::<B, N>::step(method, ids, bodies, forces, step, tick),
             Chosen::Verlet(method) => Method::<B, N>::step(method, ids, bodies, forces, step, tick),
+            Chosen::Rk4(method) => method.step(ids, bodies, forces, step, tick),
+            Chosen::Pefrl(method) => Method::<B, N>::step(method, ids, bodies, forces, step, tick),
         }
     }
 
@@ -148,6 +167,8 @@ impl<B: Body, const N: usize> Method<B, N> for Chosen<B, N> {
             Chosen::Constant(method) => method.between(part, before, after),
             Chosen::Semi(method) => Method::<B, N>::between(method, part, before, after),
             Chosen::Verlet(method) => Method::<B, N>::between(method, part, before, after),
+            Chosen::Rk4(method) => method.between(part, before, after),
+            Chosen::Pefrl(method) => Method::<B, N>::between(method, part, before, after),
         }
     }
 }

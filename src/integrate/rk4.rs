@@ -1,0 +1,198 @@
+//! The classical Runge-Kutta method of order 4, for forces of any kind.
+//!
+//! With `k = h a(x, v, t)`, taken from four states in turn:
+//!
+//! ```text
+//! 1   x               v              t           k1
+//! 2   x + h/2 v       v + k1/2       t + h/2     k2
+//! 3   x + h/2 v2      v + k2/2       t + h/2     k3
+//! 4   x + h v3        v + k3         t + h       k4
+//!
+//! x' = x + h v + h/6 (k1 + k2 + k3)
+//! v' = v + (k2 + k3) / 3 + (k1 + k4) / 6
+//! ```
+//!
+//! The rule for x is `x + h/6 (v + 2 v2 + 2 v3 + v4)`; put in `v2 = v + k1/2`, `v3 = v + k2/2` and
+//! `v4 = v + k3`. Sums of k are exact in fixed point, so x is rounded twice, v twice, and each k. Two
+//! thirds and one third of the same k round to that k: gravity keeps its fraction, and a body
+//! without forces moves as under semi-implicit Euler. A single sum for v would be six k long; this way sums
+//! saturate where a step changes v by a third of the range.
+//!
+//! Order 4, for forces of x, v and t · four force calls, at the start, twice in the middle, at the end
+//! · 48 bytes a body · stable for `h ω < 2.828`, below which a spring loses `(h ω)^6 / 144` of its
+//! amplitude a step · stable for drag `k h / m < 2.785`, which stays monotone · exact drag makes it order 2 ·
+//! not with contacts · not reversible
+//! Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), section II.1.
+
+use super::{Method, copy, damp, parabola};
+use crate::between::Between;
+use crate::body::Body;
+use crate::force::{Force, Frame, Part, PerStep};
+use crate::id::BodyId;
+use crate::ratio::Ratio;
+use crate::scalar::{Factor, Scalar};
+use crate::step::TimeStep;
+use crate::time::Now;
+use crate::vec2::Vec2;
+
+/// Runge-Kutta of order 4 for worlds of `N` bodies: where a force depends on velocity or time, and
+/// one step is to be exact. All forces act from the same instant.
+///
+/// It holds two copies of the bodies and a vector for each: 48 bytes for a [`Point`](crate::Point) of 32
+/// bits, whether forces couple or not.
+///
+/// ```
+/// use fixstep::{dec, vec2, LinearDrag, Point, Rk4, Step, World};
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(1, 0)?, 1)?)?;
+/// let (mut rk4, mut drag, step) = (Rk4::new(), LinearDrag::new(1)?, Step::hz(10)?);
+/// (0..10).for_each(|_| world.step(&mut rk4, &mut drag, &step));
+/// let speed = world.get(ball)?.velocity().x;
+/// assert!((speed - (-1.0_f64).exp()).abs() < 4e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Rk4<B: Body, const N: usize> {
+    seen: heapless::Vec<B, N>,
+    live: heapless::Vec<B, N>,
+    /// k1
+    first: heapless::Vec<Vec2<B::S>, N>,
+    /// 1/3, 1/6 and h/6.
+    per_step: PerStep<B::S, [<B::S as Scalar>::Coef; 3]>,
+}
+
+impl<B: Body, const N: usize> Rk4<B, N> {
+    /// With room for the copies.
+    #[must_use]
+    pub const fn new() -> Self {
+        Rk4 {
+            seen: heapless::Vec::new(),
+            live: heapless::Vec::new(),
+            first: heapless::Vec::new(),
+            per_step: PerStep::new(),
+        }
+    }
+
+    /// The start of a step as seen by forces, and copies at rest for them to push.
+    #[inline]
+    fn begin(&mut self, bodies: &[B]) {
+        copy(bodies, &mut self.seen);
+        copy(bodies, &mut self.live);
+        self.first.clear();
+        for live in &mut self.live {
+            live.kick(-live.velocity());
+            let _ = self.first.push(Vec2::ZERO);
+        }
+    }
+
+    /// Adds `h a(seen)` to the velocities of `live`.
+    #[inline]
+    fn evaluate<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        forces: &mut F,
+        now: &Now<H>,
+    ) {
+        forces.couple(now, &mut Frame::split(ids, &self.seen, &mut self.live));
+        for (seen, live) in self.seen.iter().zip(&mut self.live) {
+            forces.field(now, seen, live);
+        }
+    }
+
+    /// `f(body, seen, live, first)` for every body.
+    #[inline(always)]
+    fn each(
+        &mut self,
+        bodies: &mut [B],
+        mut f: impl FnMut(&mut B, &mut B, &mut B, &mut Vec2<B::S>),
+    ) {
+        let rest = self
+            .seen
+            .iter_mut()
+            .zip(&mut self.live)
+            .zip(&mut self.first);
+        for (body, ((seen, live), first)) in bodies.iter_mut().zip(rest) {
+            f(body, seen, live, first);
+        }
+    }
+}
+
+impl<B: Body, const N: usize> Default for Rk4<B, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The body `start` after moves by `dx` and `dv`.
+fn state<B: Body>(start: &B, dx: Vec2<B::S>, dv: Vec2<B::S>) -> B {
+    let mut body = *start;
+    body.shift(dx);
+    body.kick(dv);
+    body
+}
+
+impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
+    #[inline]
+    fn step<F: Force<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        const { assert!(!F::FLOWS, "a flow needs a splitting method") };
+        let [third, sixth, h_sixth] = self.per_step.get(step, |h| {
+            let part = |of| Ratio::new(1, of).ok().and_then(Factor::new);
+            let [third, sixth] = [3, 6].map(|of| part(of).unwrap_or(B::S::ZERO.coef()));
+            [third, sixth, B::S::product(sixth, h)]
+        });
+        let now = Now::start(step, tick);
+        let h = now.step;
+        let half = |k: Vec2<B::S>| k.map(|k| k.dyadic(1, 1));
+        forces.prepare(&now);
+        damp(bodies, forces, &now, Part::FirstHalf);
+
+        self.begin(bodies);
+        self.evaluate(ids, forces, &now);
+        self.each(bodies, |start, seen, live, k1| {
+            *k1 = live.velocity();
+            live.kick(-*k1);
+            *seen = state(start, start.velocity().map(|v| h.half_of(v)), half(*k1));
+        });
+
+        let now = Now::middle(step, tick);
+        forces.prepare(&now);
+        self.evaluate(ids, forces, &now);
+        self.each(bodies, |start, seen, live, _| {
+            let dx = seen.velocity().map(|v| h.half_of(v));
+            *seen = state(start, dx, half(live.velocity()));
+        });
+
+        // Now `live` holds k2 + k3, of which k2/2 = v3 - v gives k3 to a unit: enough for v4.
+        forces.prepare(&now);
+        self.evaluate(ids, forces, &now);
+        self.each(bodies, |body, seen, live, k1| {
+            let (v3, both) = (seen.velocity(), live.velocity());
+            let rise = v3 - body.velocity();
+            *seen = state(body, v3.map(|v| h.of(v)), both - rise - rise);
+            live.kick(-both);
+            body.drift(&h);
+            body.move_by(*k1 + both, h_sixth);
+            body.kick_by(both, third);
+        });
+
+        let now = Now::end(step, tick);
+        forces.prepare(&now);
+        self.evaluate(ids, forces, &now);
+        self.each(bodies, |body, _, live, k1| {
+            body.kick_by(*k1 + live.velocity(), sixth);
+        });
+        damp(bodies, forces, &now, Part::SecondHalf);
+    }
+
+    #[inline]
+    fn between(&self, part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> {
+        parabola(part, before, after)
+    }
+}
