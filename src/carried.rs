@@ -71,6 +71,31 @@ impl<S: Carry> Carried<S> {
         Vec2::new(x, y)
     }
 
+    /// Its position with what is left over, part by part.
+    pub(crate) const fn place(&self) -> [S::Place; 2] {
+        self.place
+    }
+
+    /// What is left over of its velocity.
+    pub(crate) const fn rest(&self) -> [S::Rest; 2] {
+        self.rest
+    }
+
+    /// From a state that was one before, as [`Point::from_parts`].
+    pub(crate) fn from_parts(
+        place: [S::Place; 2],
+        velocity: Vec2<S>,
+        inv_mass: S::InvMass,
+        rest: [S::Rest; 2],
+    ) -> Option<Self> {
+        let point = Point::from_parts(Vec2::ZERO, velocity, inv_mass)?;
+        Some(Carried {
+            place,
+            rest,
+            ..point.into()
+        })
+    }
+
     /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
     pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
         crate::body::finite("position", position)?;
@@ -208,6 +233,6 @@ impl<S: Carry> Body for Carried<S> {
             .for_each(|place| write(S::left_over(place)));
         self.rest
             .into_iter()
-            .for_each(|rest| write(S::rest_bits(rest)));
+            .for_each(|rest| write(S::rest_left_over(rest)));
     }
 }

@@ -4,10 +4,11 @@ use defmt::{Format, Formatter, write};
 
 use crate::accumulator::Due;
 use crate::body::{Body, Point};
+use crate::carried::Carried;
 use crate::error::{Error, Full};
 use crate::id::{BodyId, Stale};
 use crate::ratio::Ratio;
-use crate::scalar::Scalar;
+use crate::scalar::{Carry, Scalar};
 use crate::snapshot::{SnapshotError, VERSION};
 use crate::vec2::Vec2;
 use crate::world::World;
@@ -25,6 +26,12 @@ impl Format for BodyId {
 }
 
 impl<S: Scalar + Format> Format for Point<S> {
+    fn format(&self, f: Formatter) {
+        write!(f, "at {} with {}", self.position(), self.velocity());
+    }
+}
+
+impl<S: Carry + Format> Format for Carried<S> {
     fn format(&self, f: Formatter) {
         write!(f, "at {} with {}", self.position(), self.velocity());
     }

@@ -1,16 +1,18 @@
-//! Serialising with serde: vectors, ids, points, worlds.
+//! Serialising with serde: vectors, ids, points, bodies that carry, worlds.
 //!
 //! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
 //! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
-//! keeps numbers exactly. What is read is checked as a [snapshot](crate::snapshot) is, and a field that
+//! keeps numbers exactly. A body that carries is `{ place, velocity, inv_mass, rest }`, with the bits of a
+//! [snapshot](crate::snapshot) for its places and remainders. What is read is checked as a snapshot is, and a field that
 //! is missing or unknown is refused; the number type is that of the target and is not written.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use crate::body::{Body, Point};
+use crate::carried::Carried;
 use crate::id::BodyId;
-use crate::scalar::{Scalar, Stored};
+use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
 use crate::world::World;
 
@@ -71,6 +73,39 @@ impl<'de, S: Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de> for Po
         S::InvMass::restore(fields.inv_mass)
             .and_then(|inv_mass| Point::from_parts(fields.position, fields.velocity, inv_mass))
             .ok_or_else(|| D::Error::custom("inv_mass is not that of a point"))
+    }
+}
+
+impl<S: Carry + Scalar<InvMass: Stored> + Serialize> Serialize for Carried<S> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("Carried", 4)?;
+        fields.serialize_field("place", &self.place().map(S::halves))?;
+        fields.serialize_field("velocity", &self.velocity())?;
+        fields.serialize_field("inv_mass", &self.inv_mass().store())?;
+        fields.serialize_field("rest", &self.rest().map(S::rest_bits))?;
+        fields.end()
+    }
+}
+
+impl<'de, S: Carry + Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de> for Carried<S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "Carried", deny_unknown_fields)]
+        struct Fields<S> {
+            place: [[u64; 2]; 2],
+            velocity: Vec2<S>,
+            inv_mass: u64,
+            rest: [u64; 2],
+        }
+        let fields = Fields::<S>::deserialize(deserializer)?;
+        let body = || {
+            let ([x, y], [u, v]) = (fields.place, fields.rest);
+            let place = [S::of_halves(x)?, S::of_halves(y)?];
+            let rest = [S::of_rest_bits(u)?, S::of_rest_bits(v)?];
+            let inv_mass = S::InvMass::restore(fields.inv_mass)?;
+            Carried::from_parts(place, fields.velocity, inv_mass, rest)
+        };
+        body().ok_or_else(|| D::Error::custom("place, inv_mass or rest is not that of a body"))
     }
 }
 

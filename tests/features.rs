@@ -17,6 +17,9 @@ mod bytes;
 #[path = "snapshot/samples.rs"]
 mod samples;
 
+#[cfg(feature = "serde")]
+#[path = "features/carried.rs"]
+mod carried;
 #[cfg(feature = "defmt")]
 #[path = "features/log.rs"]
 mod log;

@@ -4,7 +4,7 @@ use std::mem::size_of;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
 use fixstep::{
-    AllBodies, BodyId, ConstantAcceleration, DyadicStep, Euler, PerBody, Point, Scalar,
+    AllBodies, BodyId, Carried, ConstantAcceleration, DyadicStep, Euler, PerBody, Point, Scalar,
     SemiImplicitEuler, Time, Vec2, Verlet, World,
 };
 
@@ -42,6 +42,16 @@ fn a_point_takes_20_bytes_in_any_32_bit_scalar() {
 fn a_point_takes_40_bytes_in_a_64_bit_scalar() {
     assert_eq!(size_of::<Point<f64>>(), 40);
     assert_eq!(size_of::<Point<I32F32>>(), 40);
+}
+
+#[test]
+fn a_body_that_carries_takes_32_bytes_in_any_32_bit_scalar() {
+    assert_eq!(size_of::<Carried<f32>>(), 32);
+    assert_eq!(size_of::<Carried<I8F24>>(), 32);
+    assert_eq!(size_of::<Carried<I12F20>>(), 32);
+    assert_eq!(size_of::<Carried<I16F16>>(), 32);
+    assert_eq!(size_of::<Carried<I20F12>>(), 32);
+    assert_eq!(size_of::<Carried<f64>>(), 64);
 }
 
 #[test]

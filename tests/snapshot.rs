@@ -6,6 +6,8 @@ mod support;
 mod bodies;
 #[path = "snapshot/bytes.rs"]
 mod bytes;
+#[path = "snapshot/carried.rs"]
+mod carried;
 #[path = "snapshot/cuts.rs"]
 mod cuts;
 #[path = "snapshot/damage.rs"]

@@ -38,11 +38,13 @@ pub trait Carry: Scalar {
     #[must_use]
     fn kicked(kept: (Self, Self::Rest), value: Self, factor: Self::Coef) -> (Self, Self::Rest);
 
-    /// The same after losing `loss` of both.
+    /// The same after losing `loss` of both, for a loss from 0 to 1: towards rest and never past it.
+    /// In fixed point at least one unit of the remainder goes, so that a body comes to rest.
     #[must_use]
     fn damped(kept: (Self, Self::Rest), loss: Self::Coef) -> (Self, Self::Rest);
 
-    /// Both parts of a velocity after `+ impulse / m`.
+    /// Both parts of a velocity after `+ impulse / m`. In fixed point their momentum changes by exactly
+    /// the impulse: up to `2^15` kg, and while the velocity stays within its range.
     #[must_use]
     fn pushed(
         kept: [(Self, Self::Rest); 2],
@@ -58,15 +60,19 @@ pub trait Carry: Scalar {
     #[must_use]
     fn left_over(place: Self::Place) -> u64;
 
-    /// The bits of a place in two halves of a scalar's size, and back.
+    /// What a remainder holds, for a hash: equal for equal remainders, one NaN.
+    #[must_use]
+    fn rest_left_over(rest: Self::Rest) -> u64;
+
+    /// The bits of a place in two halves of a scalar's size.
     #[must_use]
     fn halves(place: Self::Place) -> [u64; 2];
 
-    /// The place of those halves.
+    /// The place of those halves; `None` where they have more bits than a scalar.
     #[must_use]
     fn of_halves(halves: [u64; 2]) -> Option<Self::Place>;
 
-    /// The bits of a remainder.
+    /// The exact bits of a remainder, in its [`REST_BYTES`](Carry::REST_BYTES) lowest bytes.
     #[must_use]
     fn rest_bits(rest: Self::Rest) -> u64;
 

@@ -11,7 +11,6 @@ use fixed::types::extra::LeEqU32;
 use super::carry::Carry;
 use super::factor::{Coef, InvMass};
 use super::high_product::product_i32;
-use super::raw::Raw;
 
 /// Fractional bits of a remainder: 15, so that ±1/2 and all between fit 16 bits.
 const FINE: u32 = 15;
@@ -127,9 +126,12 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         (self.to_bits() as i64) << 32
     }
 
+    // Half a unit goes up; below zero, only more than half.
     #[inline]
     fn seen(place: i64) -> Self {
-        FixedI32::from_bits(i32::rounded(place, 32))
+        let (high, low) = ((place >> 32) as i32, place as u32);
+        let up = low >= (1 << 31) + (high as u32 >> 31);
+        FixedI32::from_bits(high.saturating_add(up as i32))
     }
 
     // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
@@ -139,7 +141,11 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         let (mantissa, shift) = factor.parts();
         let (value, shift) = (value.to_bits(), shift + halvings);
         if !(33..=62).contains(&shift) {
-            return place.saturating_add(scaled(value, mantissa, shift, 32));
+            let product = product_i32(value, mantissa);
+            return place.saturating_add(match shift.checked_sub(32) {
+                None | Some(0) => product.saturating_mul(1 << (32 - shift)),
+                Some(down) => rounded(product, down),
+            });
         }
         let fraction = mantissa << (64 - shift) | 1;
         let whole = (mantissa >> (shift - 32)) + (fraction < 0) as i32;
@@ -167,12 +173,14 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     }
 
     // Each part loses at most itself, and the remainder is at most half of the whole, so that the sum
-    // does not change its sign.
+    // does not change its sign. A loss that rounds to nothing takes a unit of the remainder.
     #[inline]
     fn damped((v, rest): (Self, i16), loss: Coef<i32>) -> (Self, i16) {
         let (mantissa, shift) = loss.parts();
         let lost =
             scaled(v.to_bits(), mantissa, shift, FINE) + scaled(rest as i32, mantissa, shift, 0);
+        let least = fine(v.to_bits(), rest).signum() as i32 * mantissa.signum();
+        let lost = if lost == 0 { least as i64 } else { lost };
         let (v, rest) = changed(v.to_bits(), rest, -lost);
         (FixedI32::from_bits(v), rest)
     }
@@ -198,6 +206,10 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
 
     fn left_over(place: i64) -> u64 {
         place as u32 as u64
+    }
+
+    fn rest_left_over(rest: i16) -> u64 {
+        Self::rest_bits(rest)
     }
 
     fn halves(place: i64) -> [u64; 2] {

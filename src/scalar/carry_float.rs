@@ -100,6 +100,10 @@ macro_rules! float_carry {
                 excess.bits()
             }
 
+            fn rest_left_over(rest: $rest) -> u64 {
+                long!($float, $bits, rest).bits()
+            }
+
             fn halves(place: [$float; 2]) -> [u64; 2] {
                 place.map(|half| half.to_bits().into())
             }

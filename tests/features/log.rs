@@ -5,7 +5,8 @@ use defmt::Format;
 use defmt::export::fetch_bytes;
 use fixstep::fixed::types::I16F16;
 use fixstep::{
-    Accumulator, BodyId, Due, Error, Point, Ratio, SnapshotError, Stale, Vec2, World, dec, vec2,
+    Accumulator, BodyId, Carried, Due, Error, Point, Ratio, SnapshotError, Stale, Vec2, World, dec,
+    vec2,
 };
 
 /// Asserts that `parts` stand in the log of `value`, one behind the other.
@@ -54,6 +55,13 @@ fn vectors_show_both_components() {
 fn points_show_position_and_velocity() {
     let state = [3.0, 7.0, -1.5, 9.0].map(float);
     logs(&point(3), &[&state[0], &state[1], &state[2], &state[3]]);
+}
+
+#[test]
+fn bodies_that_carry_show_the_same() {
+    let state = [3.0, 7.0, -1.5, 9.0].map(float);
+    let body = Carried::from(point(3));
+    logs(&body, &[&state[0], &state[1], &state[2], &state[3]]);
 }
 
 #[test]

@@ -52,7 +52,7 @@ impl Tally {
 
 /// Loads, and looks at what came of it.
 fn attempt<S: Kept>(bytes: &[u8], tally: &mut Tally) {
-    let world = match Scene::<S>::load(bytes) {
+    let world = match Scene::<Point<S>>::load(bytes) {
         Ok(world) => world,
         Err(error) => return tally.refuse(error),
     };
@@ -70,17 +70,17 @@ fn attempt<S: Kept>(bytes: &[u8], tally: &mut Tally) {
     tally.accepted += 1;
     if tally.accepted.is_multiple_of(EVERY) {
         match tally.accepted / EVERY % 3 {
-            0 => go_on(world, flight::<S>, tally),
-            1 => go_on(world, tied::<S>, tally),
-            _ => go_on(world, stars::<S>, tally),
+            0 => go_on(world, flight::<Point<S>>, tally),
+            1 => go_on(world, tied::<Point<S>>, tally),
+            _ => go_on(world, stars::<Point<S>>, tally),
         }
     }
 }
 
 /// Two steps by each method: the arithmetic is total for every state there is.
 fn go_on<S: Kept, F: Force<Point<S>>>(
-    world: Scene<S>,
-    build: fn(&Scene<S>) -> F,
+    world: Scene<Point<S>>,
+    build: fn(&Scene<Point<S>>) -> F,
     tally: &mut Tally,
 ) {
     let step = Step::hz(60).unwrap();
@@ -105,7 +105,7 @@ fn every_scalar(seed: u64, what: &str, test: [fn(&mut Random, &mut Tally); 5]) -
 
 fn spells<S: Kept>(random: &mut Random, tally: &mut Tally) {
     for _ in 0..SPELLS {
-        let count = random.below(Scene::<S>::SNAPSHOT + 9);
+        let count = random.below(Scene::<Point<S>>::SNAPSHOT + 9);
         attempt::<S>(&random.bytes(count), tally);
     }
 }
@@ -128,7 +128,7 @@ fn a_million_random_strings() {
 
 /// A valid snapshot with some of its bytes replaced: one, two, or up to all.
 fn mutants<S: Kept>(random: &mut Random, tally: &mut Tally) {
-    let valid: Vec<_> = (0..8).map(|seed| saved(&start::<S>(seed))).collect();
+    let valid: Vec<_> = (0..8).map(|seed| saved(&start::<Point<S>>(seed))).collect();
     for i in 0..MUTANTS {
         let mut bytes = valid[i % valid.len()].clone();
         let front = [0, bytes::TICK.0, HEADER][random.below(3)];
@@ -168,7 +168,7 @@ fn pick(random: &mut Random, likely: &[u64]) -> u64 {
 /// Random bytes under a header that is right but for a field now and then.
 fn forgeries<S: Kept>(random: &mut Random, tally: &mut Tally) {
     let (size, format) = (<Point<S> as Saved>::BYTES as u64, S::FORMAT.into());
-    let mass = start::<S>(0).bodies()[0].inv_mass().store();
+    let mass = start::<Point<S>>(0).bodies()[0].inv_mass().store();
     for _ in 0..FORGERIES {
         let count = random.below(ROOM + 3);
         let mut bytes = random.bytes(length::<S>(count));

@@ -2,8 +2,6 @@
 //! scenes are those of the host's tests.
 #![no_std]
 
-#[path = "../../../tests/firmware/carry.rs"]
-pub mod carry;
 pub mod count;
 #[path = "../../../tests/firmware/every_verb.rs"]
 pub mod every_verb;

@@ -7,9 +7,9 @@ use core::hint::black_box;
 use cortex_m_rt::entry;
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Body, DyadicStep, Error, Method, Point, SemiImplicitEuler, Step, TimeStep, Verlet, World,
+    Body, Carried, DyadicStep, Error, Method, Point, SemiImplicitEuler, Step, TimeStep, Verlet,
+    World,
 };
-use fixstep_firmware::carry::{Carried, Compensated};
 use fixstep_firmware::scene::{self, POINTS};
 use fixstep_firmware::{count, print};
 
@@ -85,23 +85,29 @@ fn rows() -> Result<(), Error> {
         SemiImplicitEuler,
         Frame::new(),
     )?;
-    row::<Carried, _, _>(
+    row::<Carried<I16F16>, _, _>(
         "I16F16 carried\t1/60\tSemiImplicitEuler",
         SemiImplicitEuler,
         Step::hz(60),
+    )?;
+    row::<Carried<I16F16>, _, _>(
+        "I16F16 carried\t1/64\tSemiImplicitEuler",
+        SemiImplicitEuler,
+        Dyadic::new(),
     )?;
     row::<Point<f32>, _, _>(
         "f32\t1/60\tSemiImplicitEuler",
         SemiImplicitEuler,
         Step::hz(60),
     )?;
-    row::<Compensated, _, _>(
-        "f32 compensated\t1/60\tSemiImplicitEuler",
+    row::<Carried<f32>, _, _>(
+        "f32 carried\t1/60\tSemiImplicitEuler",
         SemiImplicitEuler,
         Step::hz(60),
     )?;
     row::<Point<I16F16>, _, _>("I16F16\t1/60\tVerlet", Verlet, Step::hz(60))?;
     row::<Point<I16F16>, _, _>("I16F16\t1/64\tVerlet", Verlet, Dyadic::new())?;
+    row::<Carried<I16F16>, _, _>("I16F16 carried\t1/64\tVerlet", Verlet, Dyadic::new())?;
     row::<Point<f32>, _, _>("f32\t1/60\tVerlet", Verlet, Step::hz(60))
 }
 

@@ -8,21 +8,22 @@
 //! 12  4  bytes a body    40  .  id and state of each body, in order
 //! ```
 //!
-//! Little endian on every target. A [`Point`] of a 32-bit scalar takes 24 bytes. The world that is
-//! read continues with the same bits, on any target that makes the same bits. Forces, method and step
+//! Little endian on every target. Of a 32-bit scalar a [`Point`](crate::Point) takes 24 bytes and a
+//! [`Carried`](crate::Carried) 36. The world that is read continues with the same bits, on any target that makes the same bits. Forces, method and step
 //! are no part of it: the scene makes them as it did before, for the ids it finds in
 //! [`World::ids`]. Within one program a clone of the world does the same for less.
 //!
 //! Nothing is read from bytes of which one was changed: a byte enters the sum by steps that can be
 //! undone, so no two inputs that differ in one byte have the same.
 
+mod bodies;
+
 use core::fmt;
 
-use crate::body::{Body, Point};
+use crate::body::Body;
 use crate::fnv::Fnv32;
 use crate::id::BodyId;
-use crate::scalar::{Scalar, Stored};
-use crate::vec2::Vec2;
+use crate::scalar::Stored;
 use crate::world::World;
 
 /// The format that is written, and the only one that is read.
@@ -57,27 +58,6 @@ pub trait Saved: Body<S: Stored> {
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self>;
 }
 
-impl<S: Scalar<InvMass: Stored> + Stored> Saved for Point<S> {
-    const KIND: u16 = 1;
-    const BYTES: usize = 4 * S::BYTES + <S::InvMass as Stored>::BYTES;
-
-    fn save(&self, write: &mut impl FnMut(u64, usize)) {
-        let (position, velocity) = (self.position().array(), self.velocity().array());
-        for scalar in position.into_iter().chain(velocity) {
-            write(scalar.store(), S::BYTES);
-        }
-        write(self.inv_mass().store(), <S::InvMass as Stored>::BYTES);
-    }
-
-    fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self> {
-        let mut scalar = || S::restore(read(S::BYTES));
-        let position = Vec2::new(scalar()?, scalar()?);
-        let velocity = Vec2::new(scalar()?, scalar()?);
-        let inv_mass = S::InvMass::restore(read(<S::InvMass as Stored>::BYTES))?;
-        Point::from_parts(position, velocity, inv_mass)
-    }
-}
-
 /// Why bytes were not written or not read. Nothing is changed by the call that returns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -106,7 +86,7 @@ pub enum SnapshotError {
         /// Bodies that the world holds.
         capacity: usize,
     },
-    /// No world has this state: ids that do not rise, or a mass that is none.
+    /// No world has this state: ids that do not rise, a mass or a remainder that is none.
     State,
 }
 
@@ -143,7 +123,7 @@ impl<B: Saved, const N: usize> World<B, N> {
     pub const SNAPSHOT: usize = HEADER + N * (ID + B::BYTES);
 
     /// Writes the world to the front of `bytes` and returns how many it took: 40, and 24 for each
-    /// [`Point`] of a 32-bit scalar. Refuses a slice that is too short.
+    /// [`Point`](crate::Point) of a 32-bit scalar. Refuses a slice that is too short.
     ///
     /// ```
     /// use fixstep::{vec2, Point, World, fixed::types::I16F16};
