@@ -1,4 +1,4 @@
-//! Serialising with serde: vectors, ids, points, worlds.
+//! Serialising with serde: vectors, ids, points, watched bodies, worlds.
 //!
 //! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
 //! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
@@ -12,6 +12,7 @@ use crate::body::{Body, Point};
 use crate::id::BodyId;
 use crate::scalar::{Scalar, Stored};
 use crate::vec2::Vec2;
+use crate::watched::Watched;
 use crate::world::World;
 
 impl<S: Serialize> Serialize for Vec2<S> {
@@ -71,6 +72,28 @@ impl<'de, S: Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de> for Po
         S::InvMass::restore(fields.inv_mass)
             .and_then(|inv_mass| Point::from_parts(fields.position, fields.velocity, inv_mass))
             .ok_or_else(|| D::Error::custom("inv_mass is not that of a point"))
+    }
+}
+
+impl<B: Body + Serialize> Serialize for Watched<B> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("Watched", 2)?;
+        fields.serialize_field("body", self.body())?;
+        fields.serialize_field("was_outside", &self.was_outside())?;
+        fields.end()
+    }
+}
+
+impl<'de, B: Body + Deserialize<'de>> Deserialize<'de> for Watched<B> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "Watched", deny_unknown_fields)]
+        struct Fields<B> {
+            body: B,
+            was_outside: bool,
+        }
+        let Fields { body, was_outside } = Fields::deserialize(deserializer)?;
+        Ok(Watched::marked(body, was_outside))
     }
 }
 
