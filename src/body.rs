@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::ratio::Ratio;
-use crate::scalar::{Factor, Scalar};
+use crate::scalar::{Exact, Factor, Scalar};
 use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
@@ -86,6 +86,19 @@ pub trait Body: Copy + 'static {
     fn is_inside(&self) -> bool {
         self.position().is_inside() && self.velocity().is_inside()
     }
+}
+
+/// A body that can go the way it came: its verbs add without loss, and it can be turned round.
+///
+/// That is the law for a body of your own: a verb with the negated argument undoes the verb, unless a sum
+/// saturated; turned round, [`drift`](Body::drift) undoes itself.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot go back: its sums lose bits",
+    note = "a point in fixed point can: `Watched<Point<I16F16>>`"
+)]
+pub trait Turn: Body {
+    /// `v = -v`.
+    fn turn(&mut self);
 }
 
 /// A point with mass in 20 bytes of any 32-bit scalar: position, velocity, inverse mass.
@@ -226,5 +239,12 @@ impl<S: Scalar> Body for Point<S> {
     #[inline]
     fn drift_half(&mut self, step: &impl TimeStep<S>) {
         self.position += self.velocity.map(|v| step.half_of(v));
+    }
+}
+
+impl<S: Exact> Turn for Point<S> {
+    #[inline]
+    fn turn(&mut self) {
+        self.velocity = -self.velocity;
     }
 }

@@ -8,9 +8,11 @@ use crate::carried::Carried;
 use crate::error::{Error, Full};
 use crate::id::{BodyId, Stale};
 use crate::ratio::Ratio;
+use crate::rewind::RewindError;
 use crate::scalar::{Carry, Scalar};
 use crate::snapshot::{SnapshotError, VERSION};
 use crate::vec2::Vec2;
+use crate::watched::Watched;
 use crate::world::World;
 
 impl<S: Format> Format for Vec2<S> {
@@ -34,6 +36,15 @@ impl<S: Scalar + Format> Format for Point<S> {
 impl<S: Carry + Format> Format for Carried<S> {
     fn format(&self, f: Formatter) {
         write!(f, "at {} with {}", self.position(), self.velocity());
+    }
+}
+
+impl<B: Body + Format> Format for Watched<B> {
+    fn format(&self, f: Formatter) {
+        write!(f, "{}", self.body());
+        if self.was_outside() {
+            write!(f, ", was outside");
+        }
     }
 }
 
@@ -130,6 +141,20 @@ impl Format for SnapshotError {
                 bodies, capacity
             ),
             State => write!(f, "snapshot has a state that no world can have"),
+        }
+    }
+}
+
+impl Format for RewindError {
+    fn format(&self, f: Formatter) {
+        match *self {
+            RewindError::AtStart => write!(f, "a world at tick 0 has no step to undo"),
+            RewindError::Saturated { body } => {
+                write!(f, "{} left the range: its steps cannot be undone", body)
+            }
+            RewindError::Damped { force } => {
+                write!(f, "{=str} has damping: its steps cannot be undone", force)
+            }
         }
     }
 }

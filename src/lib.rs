@@ -10,6 +10,7 @@
 //! * A [method](integrate) says when. [`Verlet`] is the one to start with.
 //! * [`Step`] or [`DyadicStep`] is the timestep. Time is a count of ticks.
 //! * An [`Accumulator`] says how many steps a frame is due, [`Between`] where to draw in between.
+//! * [`rewind`] undoes steps to the bit, in fixed point, for a world of [`Watched`] bodies.
 //! * [`snapshot`] saves a world as bytes; [`error`] has a table of what is refused.
 //! * [`Scalar`](scalar) is the law that every number type keeps: total, odd, nearest, same bits.
 //!
@@ -53,7 +54,9 @@ pub mod force;
 pub mod integrate;
 
 pub mod measure;
+pub mod rewind;
 pub mod snapshot;
+pub mod watched;
 pub mod world;
 
 #[cfg(feature = "defmt")]
@@ -68,23 +71,27 @@ pub use heapless;
 
 pub use accumulator::{Accumulator, Due};
 pub use between::Between;
-pub use body::{Body, Point};
+pub use body::{Body, Point, Turn};
 pub use carried::Carried;
 pub use error::{Error, Full};
 pub use force::{
     AllBodies, AllPairs, Anchor, Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring,
-    Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs, Part, PerBody, Pull, Push,
-    QuadraticDrag, Spring, Window,
+    Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs, Part, PerBody, PositionOnly,
+    Pull, Push, QuadraticDrag, Reversible, ReversiblePair, Spring, Window,
 };
 pub use id::{BodyId, Stale};
-pub use integrate::{ConstantAcceleration, Euler, Method, Pefrl, Rk4, SemiImplicitEuler, Verlet};
+pub use integrate::{
+    ConstantAcceleration, Euler, Method, Pefrl, Rewinds, Rk4, SemiImplicitEuler, Verlet,
+};
 pub use mass::{CentreOfMass, PointMass};
 pub use ratio::Ratio;
-pub use scalar::{Carry, Decay, Factor, Scalar, Stored};
+pub use rewind::RewindError;
+pub use scalar::{Carry, Decay, Exact, Factor, Scalar, Stored};
 pub use snapshot::{Saved, SnapshotError};
 pub use step::{DyadicStep, Step, TimeStep};
 pub use time::{Now, Time};
 pub use vec2::{Vec2, vec2};
+pub use watched::Watched;
 pub use world::World;
 
 /// The scene of the README is a test.

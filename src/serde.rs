@@ -1,4 +1,4 @@
-//! Serialising with serde: vectors, ids, points, bodies that carry, worlds.
+//! Serialising with serde: vectors, ids, points, bodies that carry or are watched, worlds.
 //!
 //! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
 //! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
@@ -14,6 +14,7 @@ use crate::carried::Carried;
 use crate::id::BodyId;
 use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
+use crate::watched::Watched;
 use crate::world::World;
 
 impl<S: Serialize> Serialize for Vec2<S> {
@@ -106,6 +107,28 @@ impl<'de, S: Carry + Scalar<InvMass: Stored> + Deserialize<'de>> Deserialize<'de
             Carried::from_parts(place, fields.velocity, inv_mass, rest)
         };
         body().ok_or_else(|| D::Error::custom("place, inv_mass or rest is not that of a body"))
+    }
+}
+
+impl<B: Body + Serialize> Serialize for Watched<B> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let mut fields = serializer.serialize_struct("Watched", 2)?;
+        fields.serialize_field("body", self.body())?;
+        fields.serialize_field("was_outside", &self.was_outside())?;
+        fields.end()
+    }
+}
+
+impl<'de, B: Body + Deserialize<'de>> Deserialize<'de> for Watched<B> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = "Watched", deny_unknown_fields)]
+        struct Fields<B> {
+            body: B,
+            was_outside: bool,
+        }
+        let Fields { body, was_outside } = Fields::deserialize(deserializer)?;
+        Ok(Watched::marked(body, was_outside))
     }
 }
 

@@ -196,6 +196,11 @@ impl<B: Body, const N: usize> World<B, N> {
         self.tick = self.tick.wrapping_add(1);
     }
 
+    /// All that a step changes, and the names of the bodies.
+    pub(crate) fn state(&mut self) -> (&[BodyId], &mut heapless::Vec<B, N, u32>, &mut u64) {
+        (&self.ids, &mut self.bodies, &mut self.tick)
+    }
+
     /// Where to draw each body at a part of the step that led from `before` to here, by the formula
     /// of `method`. A body that was not there before is drawn where it is.
     ///

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From bottom to top; files of one rung do not import each other, but for the first.
-const RUNGS: [&[&str]; 12] = [
+const RUNGS: [&[&str]; 14] = [
     &["error", "ratio", "decimal", "fnv", "oscillation"],
     &["scalar"],
     &["vec2"],
@@ -19,6 +19,8 @@ const RUNGS: [&[&str]; 12] = [
     &["integrate"],
     &["world"],
     &["measure", "snapshot"],
+    &["watched"],
+    &["rewind"],
     &["defmt", "mint", "serde"],
 ];
 

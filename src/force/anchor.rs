@@ -4,7 +4,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Frame, PerStep, coefficient};
+use crate::force::{Force, Frame, PerStep, Reversible, coefficient, is_none};
 use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
@@ -74,5 +74,11 @@ impl<B: Body> Force<B> for Anchor<B::S> {
         let (x, a) = (body.position().to_f64(), self.point.to_f64());
         let square = (x.x - a.x) * (x.x - a.x) + (x.y - a.y) * (x.y - a.y);
         0.5 * self.stiffness.to_f64() * square
+    }
+}
+
+impl<B: Body> Reversible<B> for Anchor<B::S> {
+    fn damper(&self, _tick: u64) -> Option<&'static str> {
+        (!is_none::<B::S>(self.damping)).then_some("Anchor")
     }
 }

@@ -6,7 +6,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, PerStep};
+use crate::force::{Force, PerStep, Reversible};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
@@ -111,3 +111,6 @@ impl<B: Body> Force<B> for GravityY<B::S> {
         super::potential(Vec2::new(B::S::ZERO, self.acceleration), bodies)
     }
 }
+
+impl<B: Body> Reversible<B> for Gravity<B::S> {}
+impl<B: Body> Reversible<B> for GravityY<B::S> {}

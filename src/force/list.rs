@@ -1,7 +1,7 @@
-//! Forces together are a force: tuples, arrays, lists, an option, a reference.
+//! Forces together are a force: tuples, arrays, lists, an option, a reference, a promise.
 
 use crate::body::Body;
-use crate::force::{Force, Frame, Part};
+use crate::force::{Force, Frame, Part, PositionOnly};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -115,6 +115,10 @@ impl<B: Body, F: Force<B>> Force<B> for Option<F> {
 
 impl<B: Body, F: Force<B> + ?Sized> Force<B> for &mut F {
     forward!(self => F, (**self), (**self));
+}
+
+impl<B: Body, F: Force<B>> Force<B> for PositionOnly<F> {
+    forward!(self => F, self.0, self.0);
 }
 
 macro_rules! tuple {

@@ -42,6 +42,7 @@ mod per_step;
 mod pull;
 mod push;
 mod quadratic_drag;
+mod reversible;
 mod spring;
 mod window;
 
@@ -67,8 +68,11 @@ pub use per_step::{PerStep, coefficient, half};
 pub use pull::Pull;
 pub use push::Push;
 pub use quadratic_drag::QuadraticDrag;
+pub use reversible::{PositionOnly, Reversible, ReversiblePair};
 pub use spring::Spring;
 pub use window::Window;
+
+use per_step::is_none;
 
 /// Bodies to read and the same bodies to push, in the order of their ids.
 ///

@@ -4,7 +4,7 @@
 //! scene and takes 8 bytes a pair.
 
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Reversible, ReversiblePair};
 use crate::id::{self, BodyId};
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -136,5 +136,17 @@ impl<B: Body, L: PairForce<B>> Force<B> for AllPairs<L> {
             others.map(|second| self.0.potential([first, second])).sum()
         };
         bodies.iter().enumerate().map(with_others).sum()
+    }
+}
+
+impl<B: Body, L: ReversiblePair<B>, P: AsRef<[[BodyId; 2]]>> Reversible<B> for Pairs<L, P> {
+    fn damper(&self, tick: u64) -> Option<&'static str> {
+        self.law.damper(tick)
+    }
+}
+
+impl<B: Body, L: ReversiblePair<B>> Reversible<B> for AllPairs<L> {
+    fn damper(&self, tick: u64) -> Option<&'static str> {
+        self.0.damper(tick)
     }
 }

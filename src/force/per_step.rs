@@ -29,6 +29,11 @@ pub fn half<S: Scalar>(whole: S::Coef) -> S::Coef {
     }
 }
 
+/// Whether a [`coefficient`] is zero.
+pub(super) fn is_none<S: Scalar>(coefficient: S::Coef) -> bool {
+    S::Coef::new(Ratio::whole(0)) == Some(coefficient)
+}
+
 /// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
 ///
 /// For forces of your own: keep one, and ask it in `prepare` or `couple`.

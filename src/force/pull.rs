@@ -17,7 +17,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{PairForce, PerStep, coefficient};
+use crate::force::{PairForce, PerStep, ReversiblePair, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::step::TimeStep;
@@ -99,3 +99,5 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         -self.constant.to_f64() * inverse / (w1 * w2)
     }
 }
+
+impl<B: Body> ReversiblePair<B> for Pull<B::S> {}

@@ -4,7 +4,7 @@
 //! ticks, so that the velocity gained in n steps is `n h F / m` rounded once.
 
 use crate::body::Body;
-use crate::force::{Force, Frame};
+use crate::force::{Force, Frame, Reversible};
 use crate::id::{self, BodyId};
 use crate::scalar::Scalar;
 use crate::step::TimeStep;
@@ -60,3 +60,5 @@ impl<B: Body> Force<B> for Push<B::S> {
         })
     }
 }
+
+impl<B: Body> Reversible<B> for Push<B::S> {}

@@ -11,7 +11,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{PairForce, PerStep, coefficient};
+use crate::force::{PairForce, PerStep, ReversiblePair, coefficient, is_none};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::step::TimeStep;
@@ -96,5 +96,11 @@ impl<B: Body> PairForce<B> for Spring<B::S> {
         let [a, b] = bodies.map(|body| body.position().to_f64());
         let stretch = (b - a).length() - self.rest_length.to_f64();
         0.5 * self.stiffness.to_f64() * stretch * stretch
+    }
+}
+
+impl<B: Body> ReversiblePair<B> for Spring<B::S> {
+    fn damper(&self, _tick: u64) -> Option<&'static str> {
+        (!is_none::<B::S>(self.damping)).then_some("Spring")
     }
 }

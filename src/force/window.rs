@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::body::Body;
-use crate::force::{Force, Frame, Part};
+use crate::force::{Force, Frame, Part, Reversible};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -93,5 +93,13 @@ impl<B: Body, F: Force<B>> Force<B> for Window<F> {
         } else {
             0.0
         }
+    }
+}
+
+// What is closed reads nothing.
+impl<B: Body, F: Reversible<B>> Reversible<B> for Window<F> {
+    fn damper(&self, tick: u64) -> Option<&'static str> {
+        let open = self.ticks.contains(&tick);
+        open.then(|| self.force.damper(tick)).flatten()
     }
 }

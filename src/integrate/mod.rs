@@ -21,6 +21,7 @@
 mod constant_acceleration;
 mod euler;
 mod pefrl;
+mod rewinds;
 mod rk4;
 mod semi_implicit;
 mod verlet;
@@ -36,6 +37,7 @@ use crate::vec2::Vec2;
 pub use constant_acceleration::ConstantAcceleration;
 pub use euler::Euler;
 pub use pefrl::Pefrl;
+pub use rewinds::Rewinds;
 pub use rk4::Rk4;
 pub use semi_implicit::SemiImplicitEuler;
 pub use verlet::Verlet;

@@ -24,9 +24,9 @@
 //! Source: Omelyan, Mryglod, Folk, "Optimized Forest-Ruth- and Suzuki-like algorithms for integration
 //! of motion in many-body systems", Comput. Phys. Commun. 146 (2002), arXiv:cond-mat/0110585.
 
-use super::{Method, damp, each, kick, parabola};
+use super::{Method, Rewinds, damp, each, kick, parabola};
 use crate::between::Between;
-use crate::body::Body;
+use crate::body::{Body, Turn};
 use crate::force::{Force, Part, PerStep};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
@@ -189,6 +189,9 @@ impl<B: Body, const N: usize> Method<B, N> for Pefrl<B::S> {
         parabola(part, before, after)
     }
 }
+
+// The stages are the same from both ends, and its forces act at one instant.
+impl<B: Turn, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
 
 /// `x += share v` for every body.
 #[inline]

@@ -11,9 +11,9 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, advance, each};
-use crate::body::Body;
-use crate::force::{Force, Frame, Part};
+use super::{Method, Rewinds, advance, drift, each, kick};
+use crate::body::{Body, Turn};
+use crate::force::{Force, Frame, Part, Reversible};
 use crate::id::BodyId;
 use crate::step::TimeStep;
 use crate::time::Now;
@@ -46,5 +46,21 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
         if F::FLOWS {
             advance::<_, _, _, N>(ids, bodies, forces, &now, Part::Whole);
         }
+    }
+}
+
+// Kick, drift is undone by its adjoint: drift, kick.
+impl<B: Turn, const N: usize> Rewinds<B, N> for SemiImplicitEuler {
+    fn retrace<F: Reversible<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        let now = Now::start(step, tick);
+        drift(bodies, &now);
+        kick(ids, bodies, forces, &now);
     }
 }

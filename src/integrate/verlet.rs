@@ -15,9 +15,9 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, advance, damp, each, parabola};
+use super::{Method, Rewinds, advance, damp, each, parabola};
 use crate::between::Between;
-use crate::body::Body;
+use crate::body::{Body, Turn};
 use crate::force::{Force, Frame, Part};
 use crate::id::BodyId;
 use crate::step::TimeStep;
@@ -68,3 +68,6 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
         parabola(part, before, after)
     }
 }
+
+// Drift, kick, drift is the same from both ends, and its forces act at one instant.
+impl<B: Turn, const N: usize> Rewinds<B, N> for Verlet {}

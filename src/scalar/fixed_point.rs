@@ -9,7 +9,7 @@ use fixed::{FixedI32, FixedI64};
 
 use super::factor::{Coef, Gain, InvMass, Span};
 use super::raw::Raw;
-use super::{Factor, Scalar};
+use super::{Exact, Factor, Scalar};
 use crate::ratio::Ratio;
 
 macro_rules! factor {
@@ -37,6 +37,8 @@ macro_rules! fixed_scalar {
         factor!($fixed<$bound>, Coef<$raw>);
         factor!($fixed<$bound>, Span<$raw>);
         factor!($fixed<$bound>, InvMass<$raw>);
+
+        impl<F: $bound> Exact for $fixed<F> {}
 
         impl<F: $bound> Scalar for $fixed<F> {
             type Coef = Coef<$raw>;

@@ -54,6 +54,14 @@ pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
     fn to_f64(self) -> f64;
 }
 
+/// A number type whose sums lose no bit: where `a.plus(b)` is [inside](Scalar::is_inside), taking b away
+/// leads back to `a`, in whatever order several were added. True of fixed point; a float rounds its sums.
+#[diagnostic::on_unimplemented(
+    message = "a world in `{Self}` cannot go back: its sums round",
+    note = "sums of fixed point lose nothing"
+)]
+pub trait Exact: Scalar {}
+
 /// A number type that a scene can be written in. The [module](self) states its laws.
 ///
 /// ```

@@ -5,8 +5,8 @@ use defmt::Format;
 use defmt::export::fetch_bytes;
 use fixstep::fixed::types::I16F16;
 use fixstep::{
-    Accumulator, BodyId, Carried, Due, Error, Point, Ratio, SnapshotError, Stale, Vec2, World, dec,
-    vec2,
+    Accumulator, Body, BodyId, Carried, Due, Error, Point, Ratio, RewindError, SnapshotError,
+    Stale, Vec2, Watched, World, dec, vec2,
 };
 
 /// Asserts that `parts` stand in the log of `value`, one behind the other.
@@ -131,4 +131,31 @@ fn snapshot_errors_show_what_was_found() {
     for error in [NotASnapshot, Checksum, State] {
         logs(&error, &[]);
     }
+}
+
+#[test]
+fn watched_bodies_show_body_and_mark() {
+    let mut ball = Watched::new(point(3));
+    let state = [3.0, 7.0, -1.5, 9.0].map(float).concat();
+    let length = |value: &Watched<Point<f32>>| {
+        fetch_bytes();
+        defmt::println!("{}", value);
+        fetch_bytes().len()
+    };
+    logs(&ball, &[&state[..4], &state[12..]]);
+    let unmarked = length(&ball);
+    ball.kick(vec2(dec!(0), 0).unwrap());
+    assert_eq!(length(&ball), unmarked);
+    (0..2).for_each(|_| ball.kick(Vec2::new(f32::MAX, f32::MAX))); // infinite
+    assert!(length(&ball) > unmarked);
+}
+
+#[test]
+fn refusals_to_go_back_show_body_and_force() {
+    let (_, body) = world();
+    logs(
+        &RewindError::Saturated { body },
+        &[&body.serial().to_le_bytes()],
+    );
+    logs(&RewindError::Damped { force: "Spring" }, &[b"Spring"]);
 }

@@ -2,7 +2,7 @@
 //! when their snapshots are: those hold every bit, the tick and the next id.
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
-use fixstep::{Body, BodyId, GravityY, Point, Step, Vec2, Verlet, World, dec, vec2};
+use fixstep::{Body, BodyId, GravityY, Point, Step, Vec2, Verlet, Watched, World, dec, vec2};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -137,4 +137,31 @@ fn an_id_is_its_number() {
     let id: BodyId = serde_json::from_str("4294967295").unwrap();
     assert_eq!(id.serial(), u32::MAX);
     assert_eq!(serde_json::to_string(&id).unwrap(), "4294967295");
+}
+
+#[test]
+fn a_watched_body_keeps_its_mark() {
+    let mut ball = Watched::new(Point::<I16F16>::new(Vec2::ZERO, Vec2::ZERO, 1).unwrap());
+    for kicks in [[0, 0], [30_000, -7]] {
+        for x in kicks.into_iter().chain(kicks) {
+            ball.kick(vec2(x, 0).unwrap());
+        }
+        ball.change(|point| point.set_velocity(Vec2::ZERO)).unwrap();
+        assert_eq!(ball.was_outside(), kicks[0] != 0);
+        assert_eq!(through_postcard(&ball), ball);
+        assert_eq!(through_json(&ball), ball);
+    }
+    // The mark is not taken off a body that stands at the end.
+    ball.change(|point| point.teleport(Vec2::new(I16F16::MAX, I16F16::ZERO)))
+        .unwrap();
+    let mut value = serde_json::to_value(ball).unwrap();
+    value["was_outside"] = json!(false);
+    let again: Watched<Point<I16F16>> = serde_json::from_value(value.clone()).unwrap();
+    assert!(again.was_outside());
+    value
+        .as_object_mut()
+        .unwrap()
+        .remove("was_outside")
+        .unwrap();
+    assert!(serde_json::from_value::<Watched<Point<I16F16>>>(value).is_err());
 }

@@ -10,10 +10,13 @@ use fixstep::time::Now;
 use fixstep::{
     Accumulator, AllBodies, AllPairs, Anchor, Between, Body, BodyId, CentreOfMass,
     ConstantAcceleration, DyadicStep, Error, Euler, Force, Gravity, GravityY, LinearDrag, Method,
-    Pairs, PerBody, Point, PointMass, Pull, Push, QuadraticDrag, Scalar, SemiImplicitEuler, Spring,
-    Step, Stored, Time, TimeStep, Vec2, Verlet, Window, World, dec, heapless, vec2,
+    Pairs, PerBody, Point, PointMass, PositionOnly, Pull, Push, QuadraticDrag, Rewinds, Scalar,
+    SemiImplicitEuler, Spring, Step, Stored, Time, TimeStep, Vec2, Verlet, Watched, Window, World,
+    dec, heapless, vec2,
 };
 const N: usize = 4;
+
+type Ball = Watched<Point<I16F16>>;
 
 /// Every force at once.
 fn forces<S: Scalar>([a, b, c]: [BodyId; 3]) -> Result<impl Force<Point<S>>, Error> {
@@ -142,8 +145,47 @@ fn scalar<S: Scalar<InvMass: Stored> + Stored>() -> Result<u64, Error> {
         ^ scene(&mut Verlet, &step)?)
 }
 
+/// Out and back by every force that can; zero if the world returns.
+fn returned(method: &mut impl Rewinds<Ball, N>) -> Result<u64, Error> {
+    let mut world = World::<Ball, N>::new();
+    let at = |x, y| Point::new(vec2(black_box(x), y)?, vec2(0, 1)?, dec!(1.5)).map(Watched::new);
+    let (a, b) = (world.add(at(0, 0)?)?, world.add(at(3, 4)?)?);
+    let tide = |time: Time, _: &Ball| {
+        vec2(1, 0).map_or(Vec2::ZERO, |v| v.scaled(time.seconds::<I16F16>().coef()))
+    };
+    let swarm =
+        |_: Time, all: &[Ball], i: usize| all.get(i).map_or(Vec2::ZERO, |body| -body.position());
+    let mut list = heapless::Vec::<_, 2>::new();
+    let _ = list.push(Pairs::new(
+        Spring::new(2, black_box(dec!(9.5)), 0)?,
+        [[a, b]],
+    ));
+    let mut forces = (
+        (Gravity::new(vec2(dec!(0.1), -5)?), GravityY::new(-1)?),
+        [Anchor::new(a, vec2(1, 1)?, 20, 0)?],
+        (
+            list,
+            Some(AllPairs(Pull::new(black_box(dec!(0.7)), dec!(0.5))?)),
+        ),
+        PositionOnly(PerBody(tide)),
+        PositionOnly(AllBodies::<_, I16F16, N>::new(swarm)),
+        Window::new(black_box(20)..50, Push::new(b, vec2(3, 2)?)),
+    );
+    let (start, step) = (world.state_hash(), Step::hz(60)?);
+    (0..100).for_each(|_| world.step(method, &mut forces, &step));
+    while world.step_back(method, &mut &mut forces, &step).is_ok() {}
+    let (hash, tick) = (world.state_hash(), world.tick());
+    for (_, ball) in world.iter_mut() {
+        ball.change(|point| point.teleport(Vec2::new(I16F16::MAX, I16F16::ZERO)))?;
+        ball.forget();
+    }
+    let kept = world.bodies().iter().all(Watched::was_outside);
+    Ok(hash ^ start ^ tick ^ u64::from(!kept))
+}
+
 /// The hash over every method in two number types, and over one method in a third.
 pub fn hash() -> Result<u64, Error> {
     let third = scene(&mut Verlet, &Step::<I8F24>::hz(60)?)?;
+    let third = third ^ returned(&mut SemiImplicitEuler)? ^ returned(&mut Verlet)?.rotate_left(1);
     Ok(scalar::<I16F16>()? ^ third ^ scalar::<f32>()?)
 }

@@ -1,0 +1,58 @@
+//! Methods whose steps can be undone, to the bit.
+//!
+//! ```text
+//! v := -v,   the stages of the step in the opposite order,   v := -v
+//! ```
+//!
+//! Why that leads back: drift and product are odd, so `x + d(v) + d(-v) = x` whatever was rounded;
+//! kicks depend on positions and time alone, so `-(v + a) + a = -v`; and the sums lose nothing.
+//! The stages work with the number of the tick that is undone, since spans and the fractions of gravity
+//! depend on it.
+//!
+//! Source: Rein, Tamayo, "JANUS: a bit-wise reversible integrator for N-body dynamics", MNRAS 473
+//! (2018), arXiv:1704.07715: state on a grid of integers, any rounding of the kicks. The same for the
+//! Verlet of molecular dynamics: Levesque, Verlet, "Molecular dynamics and time reversibility", J.
+//! Stat. Phys. 72 (1993).
+
+use super::{Method, each};
+use crate::body::Turn;
+use crate::force::Reversible;
+use crate::id::BodyId;
+use crate::step::TimeStep;
+
+/// A method that can undo a step.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot undo a step",
+    note = "`Verlet`, `Pefrl` and `SemiImplicitEuler` can"
+)]
+pub trait Rewinds<B: Turn, const N: usize>: Method<B, N> {
+    /// The stages of a step in the opposite order, on bodies that were turned round. That is the step
+    /// itself for a method that is the same from both ends, and whose forces all act at one instant.
+    #[inline]
+    fn retrace<F: Reversible<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        self.step(ids, bodies, forces, step, tick);
+    }
+
+    /// Moves `bodies` from the end of step `tick` to its start. Knows nothing of saturation:
+    /// [`World::step_back`](crate::World::step_back) looks for it.
+    #[inline]
+    fn step_back<F: Reversible<B>, H: TimeStep<B::S>>(
+        &mut self,
+        ids: &[BodyId],
+        bodies: &mut [B],
+        forces: &mut F,
+        step: &H,
+        tick: u64,
+    ) {
+        each(bodies, B::turn);
+        self.retrace(ids, bodies, forces, step, tick);
+        each(bodies, B::turn);
+    }
+}

@@ -1,0 +1,169 @@
+//! A body that remembers whether it was at an end of the range.
+//!
+//! A plain [`Point`](crate::Point) keeps no books: what saturates in the middle of a step and is
+//! pulled back inside by its end leaves no trace. Here every verb looks at what it has changed, at the
+//! price of two comparisons an axis and, in 32 bits, 4 bytes a body.
+
+use crate::body::{Body, Turn};
+use crate::scalar::Scalar;
+use crate::snapshot::Saved;
+use crate::step::TimeStep;
+use crate::vec2::Vec2;
+
+/// A body with a mark that stays: whether any verb has left its position or velocity at an end of the
+/// range, or not finite. A sum that saturates does.
+///
+/// It moves as the body does, to the bit, and has its state hash: the mark says how far the history can
+/// be trusted, it is no part of the state.
+///
+/// ```
+/// use fixstep::{vec2, Body, Point, Watched, fixed::types::I16F16};
+/// let mut ball = Watched::new(Point::<I16F16>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?);
+/// ball.kick(vec2(30_000, 0)?);
+/// assert!(!ball.was_outside());
+/// ball.kick(vec2(30_000, 0)?); // saturates
+/// ball.kick(vec2(-30_000, 0)?);
+/// assert!(ball.is_inside() && ball.was_outside());
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watched<B> {
+    body: B,
+    outside: bool,
+}
+
+impl<B: Body> Watched<B> {
+    /// Watches from now on. A body that stands at an end of the range is marked at once.
+    #[inline]
+    #[must_use]
+    pub fn new(body: B) -> Watched<B> {
+        Watched::marked(body, false)
+    }
+
+    /// With the mark that it had, or should have.
+    pub(crate) fn marked(body: B, outside: bool) -> Watched<B> {
+        let outside = outside || !body.is_inside();
+        Watched { body, outside }
+    }
+
+    /// The body itself.
+    #[inline]
+    #[must_use]
+    pub const fn body(&self) -> &B {
+        &self.body
+    }
+
+    /// Whether it was at an end of the range, at any time since it is watched.
+    #[inline]
+    #[must_use]
+    pub const fn was_outside(&self) -> bool {
+        self.outside
+    }
+
+    /// Takes the mark away, if the body is inside now. What was before is given up: steps that lie
+    /// behind this moment would be undone to another state than there was.
+    #[inline]
+    pub fn forget(&mut self) {
+        self.outside = !self.body.is_inside();
+    }
+
+    /// `change` on the body, by hand and between steps.
+    ///
+    /// ```
+    /// # use fixstep::{vec2, Body, Point, Watched, fixed::types::I16F16};
+    /// # let mut ball = Watched::new(Point::<I16F16>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?);
+    /// ball.change(|point| point.teleport(vec2(3, 4).unwrap()))?;
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut B) -> R) -> R {
+        let result = change(&mut self.body);
+        self.outside |= !self.body.is_inside();
+        result
+    }
+
+    #[inline]
+    fn look(&mut self, at: Vec2<B::S>) {
+        self.outside |= !at.is_inside();
+    }
+}
+
+/// Each verb is that of the body, and a look at the half of the state that it changes.
+macro_rules! verbs {
+    ($($verb:ident($($name:ident: $type:ty),*) changes $half:ident;)*) => {
+        $(
+            #[inline]
+            fn $verb(&mut self, $($name: $type),*) {
+                self.body.$verb($($name),*);
+                self.look(self.body.$half());
+            }
+        )*
+    };
+}
+
+impl<B: Body> Body for Watched<B> {
+    type S = B::S;
+
+    #[inline]
+    fn position(&self) -> Vec2<B::S> {
+        self.body.position()
+    }
+
+    #[inline]
+    fn velocity(&self) -> Vec2<B::S> {
+        self.body.velocity()
+    }
+
+    #[inline]
+    fn inv_mass(&self) -> <B::S as Scalar>::InvMass {
+        self.body.inv_mass()
+    }
+
+    verbs! {
+        kick(dv: Vec2<B::S>) changes velocity;
+        kick_y(dv: B::S) changes velocity;
+        kick_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes velocity;
+        brake_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes velocity;
+        push(impulse: Vec2<B::S>) changes velocity;
+        damp(loss: <B::S as Scalar>::Coef) changes velocity;
+        shift(dx: Vec2<B::S>) changes position;
+        move_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes position;
+        drift(step: &impl TimeStep<B::S>) changes position;
+        drift_half(step: &impl TimeStep<B::S>) changes position;
+    }
+
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        self.body.write_state(write);
+    }
+
+    #[inline]
+    fn is_inside(&self) -> bool {
+        self.body.is_inside()
+    }
+}
+
+impl<B: Turn> Turn for Watched<B> {
+    #[inline]
+    fn turn(&mut self) {
+        self.body.turn();
+    }
+}
+
+/// The state of the body, and a byte for the mark: it outlives a snapshot.
+impl<B: Saved> Saved for Watched<B> {
+    const KIND: u16 = B::KIND | 0x4000;
+    const BYTES: usize = B::BYTES + 1;
+
+    fn save(&self, write: &mut impl FnMut(u64, usize)) {
+        self.body.save(write);
+        write(self.outside.into(), 1);
+    }
+
+    fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self> {
+        let body = B::load(read)?;
+        let outside = match read(1) {
+            mark @ 0..=1 => mark == 1,
+            _ => return None,
+        };
+        Some(Watched::marked(body, outside))
+    }
+}
