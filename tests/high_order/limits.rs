@@ -44,7 +44,7 @@ fn measured(scheme: Scheme, q: f64) -> Matrix {
 
 const XI: f64 = 0.1786178958448091;
 const LAMBDA: f64 = -0.2123418310626054;
-const CHI: f64 = -0.06626458266981849;
+const CHI: f64 = -0.066_264_582_669_818_5;
 
 /// Drifts and kicks in their order.
 const DRIFTS: [f64; 5] = [XI, CHI, 1.0 - 2.0 * (CHI + XI), CHI, XI];

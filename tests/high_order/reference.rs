@@ -94,7 +94,7 @@ fn pefrl(s: &State, t: f64, bends: bool) -> State {
     let (xi, lambda, chi) = (
         0.1786178958448091,
         -0.2123418310626054,
-        -0.06626458266981849,
+        -0.066_264_582_669_818_5,
     );
     let drifts = [xi, chi, 1.0 - 2.0 * (chi + xi), chi, xi];
     let kicks = [0.5 - lambda, lambda, lambda, 0.5 - lambda, 0.0];

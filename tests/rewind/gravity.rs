@@ -99,7 +99,10 @@ fn i32f32_returns() {
 #[test]
 fn pefrl_returns() {
     fn both<S: Format + fixstep::Exact>(start: u64) {
-        let (hz, dyadic) = (Step::hz(60).unwrap(), DyadicStep::<S, 1, 6>::new().unwrap());
+        let (hz, dyadic) = (
+            Step::<S>::hz(60).unwrap(),
+            DyadicStep::<S, 1, 6>::new().unwrap(),
+        );
         short("Pefrl, 1/60", start, Pefrl::new(), &hz);
         short("Pefrl, 1/64", start + 1, Pefrl::new(), &dyadic);
     }
