@@ -36,14 +36,14 @@ pub(crate) struct Swing {
 }
 
 impl Swing {
-    /// Refuses a frequency that is not positive or from `2^20` on, and a damping ratio that is
-    /// negative or from `2^10` on.
+    /// Refuses a frequency that is not positive, below `2^-20` or from `2^20` on, and a damping ratio
+    /// that is negative or from `2^10` on.
     pub(crate) fn new(hertz: Ratio, damping_ratio: Ratio) -> Result<Swing, Error> {
         let (field, value) = ("hertz", hertz);
         if value.num() <= 0 {
             return Err(Error::NotPositive { field, value });
         }
-        if value.exponent_above() > 20 {
+        if !(-19..=20).contains(&value.exponent_above()) {
             return Err(Error::OutOfRange { field, value });
         }
         let (field, value) = ("damping_ratio", damping_ratio);

@@ -2,6 +2,8 @@
 //!
 //! A test hands back what it was refused with; the table must name that error.
 
+#[path = "bad_input/exact.rs"]
+mod exact;
 #[path = "bad_input/rewinds.rs"]
 mod rewinds;
 #[path = "bad_input/snapshots.rs"]
@@ -11,9 +13,9 @@ use std::fmt::Debug;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Accumulator, AllBodies, Anchor, Between, Body, BodyId, CentreOfMass, Error, GravityY,
-    LinearDrag, Pairs, PerBody, Point, PointMass, Pull, QuadraticDrag, Ratio, SemiImplicitEuler,
-    Spring, Stale, Step, Time, Vec2, World, dec, vec2,
+    Accumulator, AllBodies, Anchor, Ballistic, Between, Body, BodyId, CentreOfMass, Error,
+    ExactDrag, ExactQuadraticDrag, GravityY, LinearDrag, Pairs, PerBody, Point, PointMass, Pull,
+    QuadraticDrag, Ratio, SemiImplicitEuler, Spring, Stale, Step, Time, Vec2, World, dec, vec2,
 };
 
 /// The first word of each error: the name of its variant or type.
@@ -87,6 +89,10 @@ rows! {
     ];
     softening_of_nothing, "a softening of zero or less":
         vec![refused(Pull::<I16F16>::new(1, 0)), refused(Pull::<f32>::new(1, -1))];
+    frequency_of_nothing, "a frequency of zero or less": exact::frequencies_of_nothing();
+    damping_below_zero, "a damping ratio below zero": exact::damping_below_zero();
+    spring_beyond, "a frequency from `2^20` Hz or a damping ratio from `2^10`": exact::beyond();
+    sag_beyond, "a sag outside of the scalar, or from its point to there": exact::sags();
     no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::of(&[]))];
     point_of_no_mass, "a point mass of zero or less": point_masses();
     point_not_finite, "a point mass that is NaN or infinite": not_finite_point_masses();
@@ -176,6 +182,9 @@ fn coefficients(value: Ratio) -> Errors {
         refused(Spring::<I16F16>::new(1, 1, value)),
         refused(Anchor::<I16F16>::new(id, Vec2::ZERO, value, 0)),
         refused(Anchor::<I16F16>::new(id, Vec2::ZERO, 1, value)),
+        refused(ExactDrag::<I16F16>::new(value)),
+        refused(ExactQuadraticDrag::<I16F16>::new(value)),
+        refused(Ballistic::<I16F16>::new(Vec2::ZERO, value)),
     ]
 }
 
@@ -279,6 +288,7 @@ fn waiting_force() -> Errors {
     let step = fixstep::DyadicStep::<I16F16, 1, 6>::new().unwrap();
     world.step(&mut SemiImplicitEuler, &mut forces, &step);
     assert_eq!(world.bodies()[0].velocity(), vec2(0, dec!(-0.125)).unwrap());
+    exact::waiting_springs();
     Errors::new()
 }
 

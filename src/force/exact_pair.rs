@@ -51,7 +51,7 @@ pub struct ExactPair<S: Scalar> {
 impl<S: Decay> ExactPair<S> {
     /// Ties `bodies` with a frequency of `hertz`, undamped, and a `damping_ratio` of which 1 is critical;
     /// `rest` (m) is where the second rests as seen from the first. Refuses a frequency that is not
-    /// positive or from `2^20` on, and a damping ratio that is negative or from `2^10` on.
+    /// positive, below `2^-20` or from `2^20` on, and a damping ratio that is negative or from `2^10` on.
     pub fn new(
         bodies: [BodyId; 2],
         rest: Vec2<S>,

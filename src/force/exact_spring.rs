@@ -60,8 +60,8 @@ struct Known<S: Scalar> {
 
 impl<S: Scalar> ExactSpring<S> {
     /// Ties `body` to `point` (m) with a frequency of `hertz`, undamped, and a `damping_ratio` of which 1
-    /// is critical. Refuses a frequency that is not positive or from `2^20` on, and a damping ratio
-    /// that is negative or from `2^10` on.
+    /// is critical. Refuses a frequency that is not positive, below `2^-20` or from `2^20` on, and a
+    /// damping ratio that is negative or from `2^10` on.
     pub fn new(
         body: BodyId,
         point: Vec2<S>,
@@ -81,10 +81,16 @@ impl<S: Scalar> ExactSpring<S> {
     /// [`Gravity`](crate::Gravity), which must act on the body too. Refuses a sag out of range.
     pub fn under(self, acceleration: Vec2<S>) -> Result<ExactSpring<S>, Error> {
         let (field, value) = ("hertz", self.swing.hertz);
-        let sag = oscillation::sag(value).ok_or(Error::OutOfRange { field, value })?;
+        let error = Error::OutOfRange { field, value };
+        let sag = oscillation::sag(value).ok_or(error)?;
+        // One too small for a coefficient is no sag, one too large is out of range.
+        if sag.exponent_above() > S::COEF_BITS as i32 {
+            return Err(error);
+        }
         let sag = acceleration.scaled(S::Coef::new(sag).unwrap_or(S::ZERO.coef()));
-        if !(self.point + sag).is_inside() {
-            return Err(Error::OutOfRange { field, value });
+        // A product that has saturated may come back into the range by the sum.
+        if !(sag.is_inside() && (self.point + sag).is_inside()) {
+            return Err(error);
         }
         let load = Some(Load { acceleration, sag });
         Ok(ExactSpring { load, ..self })

@@ -157,6 +157,37 @@ pub trait Force<B: Body> {
     const COUPLES: bool;
 
     /// Whether [`flow`](Force::flow) does anything: methods skip it otherwise.
+    ///
+    /// ```
+    /// use fixstep::{ExactSpring, Point, SemiImplicitEuler, Step, World, vec2};
+    /// let mut world = World::<_, 1>::new();
+    /// let id = world.add(Point::<f32>::new(vec2(1, 0)?, vec2(0, 0)?, 1)?)?;
+    /// let mut spring = ExactSpring::new(id, vec2(0, 0)?, 2, 0)?;
+    /// world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(60)?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    ///
+    /// A flow takes the place of a drift. [`Euler`](crate::Euler) and
+    /// [`ConstantAcceleration`](crate::ConstantAcceleration) drift by the velocity before the kick,
+    /// and do not compile with one:
+    ///
+    /// ```compile_fail
+    /// use fixstep::{Euler, ExactSpring, Point, Step, World, vec2};
+    /// let mut world = World::<_, 1>::new();
+    /// let id = world.add(Point::<f32>::new(vec2(1, 0)?, vec2(0, 0)?, 1)?)?;
+    /// let mut spring = ExactSpring::new(id, vec2(0, 0)?, 2, 0)?;
+    /// world.step(&mut Euler::new(), &mut spring, &Step::hz(60)?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    ///
+    /// ```compile_fail
+    /// use fixstep::{ConstantAcceleration, ExactSpring, Point, Step, World, vec2};
+    /// let mut world = World::<_, 1>::new();
+    /// let id = world.add(Point::<f32>::new(vec2(1, 0)?, vec2(0, 0)?, 1)?)?;
+    /// let mut spring = ExactSpring::new(id, vec2(0, 0)?, 2, 0)?;
+    /// world.step(&mut ConstantAcceleration::new(), &mut spring, &Step::hz(60)?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     const FLOWS: bool = false;
 
     /// Work that is the same for every body; called once before the others, for each evaluation.

@@ -3,6 +3,8 @@
 #![no_std]
 
 pub mod count;
+#[path = "../../../tests/firmware/every_exact.rs"]
+pub mod every_exact;
 #[path = "../../../tests/firmware/every_verb.rs"]
 pub mod every_verb;
 #[path = "../../../tests/firmware/force_scene.rs"]

@@ -3,13 +3,16 @@
 use core::hint::black_box;
 
 use fixstep::fixed::types::I16F16;
-use fixstep::{BodyId, DyadicStep, Error, Force, Point, SemiImplicitEuler, World};
+use fixstep::{Body, BodyId, DyadicStep, Error, Force, Method, Point, SemiImplicitEuler, World};
 
 use crate::print;
 use crate::scene::{self, POINTS};
 
+/// The point of the scene.
+pub type Ball = Point<I16F16>;
+
 /// The world of the scene.
-pub type Scene = World<Point<I16F16>, POINTS>;
+pub type Scene = World<Ball, POINTS>;
 
 /// Gravity, and a force that `more` makes for the first two bodies.
 pub fn force<F: Force<Point<I16F16>>>(
@@ -24,6 +27,20 @@ pub fn force<F: Force<Point<I16F16>>>(
     };
     let mut forces = (scene::gravity()?, more([first, second])?);
     scene::run(&mut world, &mut SemiImplicitEuler, &step, &mut forces, 600);
+    black_box(&world);
+    Ok(())
+}
+
+/// Gravity on other bodies, or by another method.
+pub fn method<B>(mut method: impl Method<B, POINTS>) -> Result<(), Error>
+where
+    B: Body<S = I16F16> + From<Ball>,
+{
+    let mut world = World::<B, POINTS>::new();
+    scene::build(&mut world)?;
+    let step = DyadicStep::<I16F16, 1, 6>::new()?;
+    let mut gravity = scene::gravity()?;
+    scene::run(&mut world, &mut method, &step, &mut gravity, 600);
     black_box(&world);
     Ok(())
 }

@@ -39,12 +39,7 @@ impl Counter {
 }
 
 impl<B: Body + From<Point<B::S>>> Meter<B> for Counter {
-    fn force<F: Force<B>>(
-        &mut self,
-        name: &str,
-        units: u32,
-        mut force: F,
-    ) -> Result<(), Error> {
+    fn force<F: Force<B>>(&mut self, name: &str, units: u32, mut force: F) -> Result<(), Error> {
         let mut world = Eight::<B>::new();
         force_scene::build(&mut world)?;
         let step = black_box(Step::hz(60)?);

@@ -7,8 +7,8 @@ use core::hint::black_box;
 use cortex_m_rt::entry;
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Body, Carried, DyadicStep, Error, Method, Point, SemiImplicitEuler, Step, TimeStep, Verlet,
-    World,
+    Body, Carried, ConstantAcceleration, DyadicStep, Error, Euler, Method, Pefrl, Point, Rk4,
+    Scalar, SemiImplicitEuler, Step, TimeStep, Verlet, World,
 };
 use fixstep_firmware::scene::{self, POINTS};
 use fixstep_firmware::{count, print};
@@ -108,7 +108,26 @@ fn rows() -> Result<(), Error> {
     row::<Point<I16F16>, _, _>("I16F16\t1/60\tVerlet", Verlet, Step::hz(60))?;
     row::<Point<I16F16>, _, _>("I16F16\t1/64\tVerlet", Verlet, Dyadic::new())?;
     row::<Carried<I16F16>, _, _>("I16F16 carried\t1/64\tVerlet", Verlet, Dyadic::new())?;
-    row::<Point<f32>, _, _>("f32\t1/60\tVerlet", Verlet, Step::hz(60))
+    row::<Point<f32>, _, _>("f32\t1/60\tVerlet", Verlet, Step::hz(60))?;
+    methods::<I16F16>([
+        "I16F16\t1/60\tEuler",
+        "I16F16\t1/60\tConstantAcceleration",
+        "I16F16\t1/60\tRk4",
+        "I16F16\t1/60\tPefrl",
+    ])?;
+    methods::<f32>([
+        "f32\t1/60\tEuler",
+        "f32\t1/60\tConstantAcceleration",
+        "f32\t1/60\tRk4",
+        "f32\t1/60\tPefrl",
+    ])
+}
+
+fn methods<S: Scalar>([euler, constant, rk4, pefrl]: [&str; 4]) -> Result<(), Error> {
+    row::<Point<S>, _, _>(euler, Euler::new(), Step::hz(60))?;
+    row::<Point<S>, _, _>(constant, ConstantAcceleration::new(), Step::hz(60))?;
+    row::<Point<S>, _, _>(rk4, Rk4::new(), Step::hz(60))?;
+    row::<Point<S>, _, _>(pefrl, Pefrl::new(), Step::hz(60))
 }
 
 #[entry]
