@@ -21,7 +21,7 @@
 //! | a softening of zero or less | [`Pull::new`](crate::Pull::new) | `NotPositive` | no force was made |
 //! | a frequency of zero or less | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `NotPositive` | no force was made |
 //! | a damping ratio below zero | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `Negative` | no force was made |
-//! | a frequency from `2^20` Hz or a damping ratio from `2^10` | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `OutOfRange` | no force was made |
+//! | a frequency below `2^-20` Hz or from `2^20` Hz, or a damping ratio from `2^10` | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `OutOfRange` | no force was made |
 //! | a sag outside of the scalar, or from its point to there | [`ExactSpring::under`](crate::ExactSpring::under) | `OutOfRange` | no force was made |
 //! | no point masses | [`CentreOfMass::of`](crate::CentreOfMass::of) | `Empty` | nothing was made |
 //! | a point mass of zero or less | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotPositive` | nothing was made |

@@ -91,7 +91,7 @@ rows! {
         vec![refused(Pull::<I16F16>::new(1, 0)), refused(Pull::<f32>::new(1, -1))];
     frequency_of_nothing, "a frequency of zero or less": exact::frequencies_of_nothing();
     damping_below_zero, "a damping ratio below zero": exact::damping_below_zero();
-    spring_beyond, "a frequency from `2^20` Hz or a damping ratio from `2^10`": exact::beyond();
+    spring_beyond, "a frequency below `2^-20` Hz or from `2^20` Hz, or a damping ratio from `2^10`": exact::beyond();
     sag_beyond, "a sag outside of the scalar, or from its point to there": exact::sags();
     no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::of(&[]))];
     point_of_no_mass, "a point mass of zero or less": point_masses();

@@ -18,6 +18,9 @@ use crate::time::Now;
 
 /// Drag in proportion to the velocity, on every body, exact at any step.
 ///
+/// In fixed point a [`Point`](crate::Point) loses a unit of speed or more in each part of a step, so that
+/// it comes to rest; it is not started by less than that. A [`Carried`](crate::Carried) has no such edge.
+///
 /// The factor depends on the mass: it is made anew where a body has another mass than the one before
 /// it. A world in which equal masses stand side by side pays for it once.
 ///

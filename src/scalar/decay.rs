@@ -93,25 +93,28 @@ macro_rules! fixed_decay {
                 [of(loss), of(mean), of(mean_loss)]
             }
 
-            // m / 2^k over 1 + m / 2^k. Below one the quotient keeps the digits of m; above, it
-            // is rounded within 0 to 1, as the divisor is never less than half of m.
+            // m / 2^k over 1 + m / 2^k, with all the digits that m has room for: quotient and divisor
+            // are then within a unit of 2^-30. At most one, as the divisor is never less than half of m.
             fn share(q: Coef<$raw>) -> Coef<$raw> {
                 const TOP: u32 = $raw::BITS - 2;
                 let (mantissa, shift) = q.parts();
                 if mantissa <= 0 {
                     return Coef::of_raw(0, 1);
                 }
-                if shift <= TOP && mantissa >> shift != 0 {
-                    let divisor = (mantissa >> 1) + ((1 << shift) >> 1);
-                    let value = $raw::quotient(mantissa.product(1 << (TOP - 1)), divisor);
-                    return Coef::of_raw(value, TOP);
+                let up = (mantissa.leading_zeros() - 1).min(2 * $raw::BITS - 2 - shift);
+                let (mantissa, shift) = (mantissa << up, shift + up);
+                match shift.checked_sub(TOP) {
+                    None | Some(0) => {
+                        let divisor = (mantissa >> 1) + ((1 << shift) >> 1);
+                        let value = $raw::quotient(mantissa.product(1 << (TOP - 1)), divisor);
+                        Coef::of_raw(value, TOP)
+                    }
+                    Some(down) => {
+                        let divisor = (mantissa >> down.min($raw::BITS - 1)) + (1 << TOP);
+                        let value = $raw::quotient(mantissa.product(1 << TOP), divisor);
+                        Coef::of_raw(value, shift)
+                    }
                 }
-                let scaled = match shift.checked_sub(TOP) {
-                    None => mantissa << (TOP - shift),
-                    Some(down) => mantissa >> down.min($raw::BITS - 1),
-                };
-                let divisor = scaled + (1 << TOP);
-                Coef::of_raw($raw::quotient(mantissa.product(1 << TOP), divisor), shift)
             }
         }
     };
