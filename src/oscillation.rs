@@ -46,9 +46,17 @@ pub(crate) struct Oscillation {
     hertz: Ratio,
 }
 
-/// `a * b`, rounded.
+/// `a * b`, rounded. A call, as all that is below: a product of 128 bits is long on a small core, and
+/// this is done once.
+#[inline(never)]
 fn times(a: i64, b: i64) -> i64 {
     ((a as i128 * b as i128 + (1 << (FRACTION - 1))) >> FRACTION) as i64
+}
+
+/// `num / den`, a call for the same reason.
+#[inline(never)]
+fn quotient(num: u128, den: u128) -> u128 {
+    NonZero::new(den).map_or(0, |den| num / den)
 }
 
 /// `sum(x^n terms[n])`, from the smallest.
@@ -57,6 +65,7 @@ fn series<'a>(x: i64, terms: impl DoubleEndedIterator<Item = &'a i64>) -> i64 {
 }
 
 /// `value * ratio` for a value of 60 fractional bits.
+#[inline(never)]
 fn scaled(value: i64, num: u64, den: u64) -> Option<Ratio> {
     let magnitude = value.unsigned_abs() as u128 * num as u128;
     let ratio = Ratio::nearest(magnitude, (den as u128) << FRACTION)?;
@@ -72,10 +81,13 @@ impl Oscillation {
         // 2 π turns max(1, ζ) / 2^halvings <= 1/2, as 2 π < 2^3.
         let above = turns.exponent_above() + damping_ratio.exponent_above().max(0);
         let halvings = (above + 4).max(0) as u32;
-        let turns = turns.shifted(FRACTION.checked_sub(halvings)?)?;
+        let shift = FRACTION.checked_sub(halvings)?;
+        let turns = quotient((turns.num() as u128) << shift, turns.den().into());
         let q = times(i64::try_from(turns).ok()?, TURN);
-        let den = NonZero::new(damping_ratio.den() as u128)?;
-        let damped = |value: i64| (value as u128 * damping_ratio.num() as u128 / den) as i64;
+        let damped = |value: i64| {
+            let product = value as u128 * damping_ratio.num() as u128;
+            quotient(product, damping_ratio.den().into()) as i64
+        };
         let a = damped(q);
         let z = times(a, a) - times(q, q);
         let fades = series(-a, TERMS.iter());
@@ -126,9 +138,10 @@ impl Oscillation {
             },
             false => self,
         };
-        let tangent = ((turned.s as i128) << FRACTION) / (ONE as i128 + turned.c as i128).max(1);
+        let sine = (turned.s.unsigned_abs() as u128) << FRACTION;
+        let tangent = quotient(sine, ONE as u128 + turned.c as u128) as i64 * turned.s.signum();
         let (num, den) = (self.hertz.num() as u64, self.hertz.den());
-        let half = scaled(times(tangent as i64, INVERSE_TURN), den, num)?;
+        let half = scaled(times(tangent, INVERSE_TURN), den, num)?;
         Some((over, [half, scaled(-times(turned.s, TURN), num, den)?]))
     }
 }

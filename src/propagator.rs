@@ -119,6 +119,7 @@ impl<S: Scalar> Propagator<S> {
 }
 
 /// A coefficient too small to be held moves nothing by as much as a unit.
+#[inline(never)]
 fn coef<S: Scalar>(ratio: Ratio) -> S::Coef {
     S::Coef::new(ratio).unwrap_or(S::ZERO.coef())
 }
