@@ -153,11 +153,15 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         advanced(place, product_i32(value, whole) + part)
     }
 
-    // Below a second the product cannot leave the range.
+    // A shift alone leaves its two words as they are. Below a second no product leaves the range.
     #[inline(always)]
     fn moved_dyadic(place: i64, value: Self, num: u32, shift: u32) -> i64 {
-        let product = value.to_bits() as i64 * num as i64;
-        let unit = 1_i64 << (32 - shift);
+        let value = value.to_bits();
+        if num == 1 && shift > 0 {
+            let (high, low) = (value >> shift, (value as u32) << (32 - shift));
+            return advanced(place, (high as i64) << 32 | low as i64);
+        }
+        let (product, unit) = (value as i64 * num as i64, 1_i64 << (32 - shift));
         match num >> shift {
             0 => advanced(place, product.wrapping_mul(unit)),
             _ => place.saturating_add(product.saturating_mul(unit)),
