@@ -145,7 +145,7 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         if !(33..=62).contains(&shift) {
             let product = product_i32(value, mantissa);
             return place.saturating_add(match shift.checked_sub(32) {
-                None | Some(0) => product.saturating_mul(1 << (32 - shift)),
+                None | Some(0) => product.saturating_mul(1 << (32 - shift)).max(-i64::MAX),
                 Some(down) => rounded(product, down),
             });
         }
