@@ -16,6 +16,9 @@ use crate::vec2::Vec2;
 /// to `2^15` kg; a heavier body rounds an impulse to its own unit). Forces see positions and velocities
 /// rounded, as a [`Point`] has them.
 ///
+/// Positions are rounded for them away from zero where two are equally near: at a dyadic rate a scene that
+/// is shifted over the origin is the same but for such ties.
+///
 /// ```
 /// use fixstep::{dec, vec2, Carried, SemiImplicitEuler, Step, World, fixed::types::I16F16};
 /// let mut world = World::<Carried<I16F16>, 1>::new();
@@ -212,14 +215,14 @@ impl<S: Carry> Body for Carried<S> {
 
     #[inline]
     fn drift(&mut self, step: &impl TimeStep<S>) {
-        let ([x, y], v) = (self.place, self.velocity);
-        self.place = [step.carry(x, v.x), step.carry(y, v.y)];
+        let ([x, y], [u, v]) = (self.place, self.kept());
+        self.place = [step.carry(x, u), step.carry(y, v)];
     }
 
     #[inline]
     fn drift_half(&mut self, step: &impl TimeStep<S>) {
-        let ([x, y], v) = (self.place, self.velocity);
-        self.place = [step.carry_half(x, v.x), step.carry_half(y, v.y)];
+        let ([x, y], [u, v]) = (self.place, self.kept());
+        self.place = [step.carry_half(x, u), step.carry_half(y, v)];
     }
 
     fn write_state(&self, write: &mut impl FnMut(u64)) {

@@ -23,24 +23,25 @@ pub trait TimeStep<S: Scalar>: Copy {
     #[must_use]
     fn half_of(&self, rate: S) -> S;
 
-    /// `h * rate` added to a place that keeps what is rounded away: of `h` alone, as a coefficient.
+    /// `h * v` added to a place that keeps what is rounded away, for a velocity with its remainder: only
+    /// `h` itself, a coefficient, is rounded.
     #[inline]
     #[must_use]
-    fn carry(&self, place: S::Place, rate: S) -> S::Place
+    fn carry(&self, place: S::Place, kept: (S, S::Rest)) -> S::Place
     where
         S: Carry,
     {
-        S::moved(place, rate, self.coef(), 0)
+        S::drifted(place, kept, self.coef(), 0)
     }
 
-    /// `h/2 * rate`, in the same way.
+    /// `h/2 * v`, in the same way.
     #[inline]
     #[must_use]
-    fn carry_half(&self, place: S::Place, rate: S) -> S::Place
+    fn carry_half(&self, place: S::Place, kept: (S, S::Rest)) -> S::Place
     where
         S: Carry,
     {
-        S::moved(place, rate, self.coef(), 1)
+        S::drifted(place, kept, self.coef(), 1)
     }
 
     /// `h` in seconds, exactly.
@@ -220,19 +221,19 @@ impl<S: Scalar, const NUM: u32, const SHIFT: u32> TimeStep<S> for DyadicStep<S, 
     }
 
     #[inline(always)]
-    fn carry(&self, place: S::Place, rate: S) -> S::Place
+    fn carry(&self, place: S::Place, kept: (S, S::Rest)) -> S::Place
     where
         S: Carry,
     {
-        S::moved_dyadic(place, rate, NUM, SHIFT)
+        S::drifted_dyadic(place, kept, NUM, SHIFT)
     }
 
     #[inline(always)]
-    fn carry_half(&self, place: S::Place, rate: S) -> S::Place
+    fn carry_half(&self, place: S::Place, kept: (S, S::Rest)) -> S::Place
     where
         S: Carry,
     {
-        S::moved_dyadic(place, rate, NUM, SHIFT + 1)
+        S::drifted_dyadic(place, kept, NUM, SHIFT + 1)
     }
 
     #[inline]

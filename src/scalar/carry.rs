@@ -34,6 +34,24 @@ pub trait Carry: Scalar {
     #[must_use]
     fn moved_dyadic(place: Self::Place, value: Self, num: u32, shift: u32) -> Self::Place;
 
+    /// `place + h * v / 2^halvings` for a velocity with its remainder.
+    #[must_use]
+    fn drifted(
+        place: Self::Place,
+        kept: (Self, Self::Rest),
+        h: Self::Coef,
+        halvings: u32,
+    ) -> Self::Place;
+
+    /// `place + num / 2^shift * v`, in the same way; called with constants.
+    #[must_use]
+    fn drifted_dyadic(
+        place: Self::Place,
+        kept: (Self, Self::Rest),
+        num: u32,
+        shift: u32,
+    ) -> Self::Place;
+
     /// A velocity and its remainder after `+ factor * value`.
     #[must_use]
     fn kicked(kept: (Self, Self::Rest), value: Self, factor: Self::Coef) -> (Self, Self::Rest);

@@ -43,9 +43,11 @@ fn changed(value: i32, rest: i16, change: i64) -> (i32, i16) {
     let total = change + rest as i64;
     let whole = rounded(total, FINE);
     let rest = total.wrapping_sub(whole << FINE) as i16;
-    match i32::try_from(whole) {
-        Ok(whole) => (value.saturating_add(whole), rest),
-        Err(_) if whole < 0 => (-i32::MAX, 0),
+    // A change may be as large as the range is wide: only the sum has to fit.
+    let sum = value as i64 + whole;
+    match i32::try_from(sum) {
+        Ok(value) => (value, rest),
+        Err(_) if sum < 0 => (-i32::MAX, 0),
         Err(_) => (i32::MAX, 0),
     }
 }
@@ -111,7 +113,7 @@ fn exchanged(
             }
         };
     }
-    changed(value, rest, change.clamp(-2 * LIMIT, 2 * LIMIT))
+    changed(value, rest, change.clamp(-3 * LIMIT, 3 * LIMIT))
 }
 
 impl<F: LeEqU32> Carry for FixedI32<F> {
@@ -143,7 +145,7 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         if !(33..=62).contains(&shift) {
             let product = product_i32(value, mantissa);
             return place.saturating_add(match shift.checked_sub(32) {
-                None | Some(0) => product.saturating_mul(1 << (32 - shift)),
+                None | Some(0) => product.saturating_mul(1 << (32 - shift)).max(-i64::MAX),
                 Some(down) => rounded(product, down),
             });
         }
@@ -166,6 +168,19 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
             0 => advanced(place, product.wrapping_mul(unit)),
             _ => place.saturating_add(product.saturating_mul(unit)),
         }
+    }
+
+    #[inline]
+    fn drifted(place: i64, (v, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {
+        let (mantissa, shift) = h.parts();
+        let more = scaled(rest as i32, mantissa, shift + halvings, 32 - FINE);
+        Self::moved(place, v, h, halvings).saturating_add(more)
+    }
+
+    #[inline(always)]
+    fn drifted_dyadic(place: i64, (v, rest): (Self, i16), num: u32, shift: u32) -> i64 {
+        let more = scaled(rest as i32, num as i32, shift, 32 - FINE);
+        Self::moved_dyadic(place, v, num, shift).saturating_add(more)
     }
 
     #[inline]

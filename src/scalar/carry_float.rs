@@ -64,6 +64,29 @@ macro_rules! float_carry {
             }
 
             #[inline]
+            fn drifted(
+                [sum, excess]: [$float; 2],
+                (v, rest): ($float, $rest),
+                h: $float,
+                halvings: u32,
+            ) -> [$float; 2] {
+                let h = if halvings == 0 { h } else { 0.5 * h };
+                let excess = excess + h * long!($float, $bits, rest);
+                Self::moved([sum, excess], v, h, 0)
+            }
+
+            #[inline(always)]
+            fn drifted_dyadic(
+                place: [$float; 2],
+                kept: ($float, $rest),
+                num: u32,
+                shift: u32,
+            ) -> [$float; 2] {
+                let one: $float = 1.0;
+                Self::drifted(place, kept, one.dyadic(num, shift), 0)
+            }
+
+            #[inline]
             fn kicked(
                 (v, rest): ($float, $rest),
                 value: $float,
