@@ -8,6 +8,7 @@
 //! * [`World`] holds the bodies; [`Point`] is the compact one, 20 bytes in any 32-bit scalar.
 //! * A [`Force`](force) says what it does to a body; a tuple of forces is a force.
 //! * A [method](integrate) says when. [`Verlet`] is the one to start with.
+//! * [`guide`]: which method, which number type, which rate.
 //! * [`Step`] or [`DyadicStep`] is the timestep. Time is a count of ticks.
 //! * An [`Accumulator`] says how many steps a frame is due, [`Between`] where to draw in between.
 //! * [`rewind`] undoes steps to the bit, in fixed point, for a world of [`Watched`] bodies.
@@ -52,6 +53,8 @@ pub mod time;
 
 pub mod force;
 pub mod integrate;
+
+pub mod guide;
 
 pub mod measure;
 pub mod rewind;

@@ -163,7 +163,7 @@ fn the_readme_says_what_a_step_costs() {
     assert_eq!(told, 2 * 12);
 }
 
-/// A row of its second: `| force | unit | M0+ I16F16 | M0+ f32 | M4F I16F16 | M4F f32 |`.
+/// A row of its second: `| force | unit |` and of each core `I16F16 | f32 | carried |`.
 #[test]
 fn the_readme_says_what_a_force_costs() {
     let mut told = 0;
@@ -173,14 +173,15 @@ fn the_readme_says_what_a_force_costs() {
         {
             continue;
         }
-        let core = if target.starts_with("thumbv6m") { 3 } else { 5 };
-        let column = core + (body == "f32") as usize;
+        let core = if target.starts_with("thumbv6m") { 3 } else { 6 };
+        let bodies = ["I16F16", "f32", "I16F16 carried"];
+        let column = core + bodies.iter().position(|&b| b == body).unwrap();
         let rounded = figure.parse::<f64>().unwrap().round();
         let said = cell(&format!("| `{scene}` |"), column);
         assert_eq!(said, rounded.to_string(), "{target} {scene} {body}");
         told += 1;
     }
-    assert_eq!(told, 2 * 2 * 12);
+    assert_eq!(told, 2 * (2 * 18 + 14));
 }
 
 #[test]
@@ -194,6 +195,11 @@ fn the_readme_says_what_it_takes_in_flash() {
             ("flash of quadratic_drag more", _) => format!("quadratic drag {bytes}"),
             ("flash of spring more", _) => format!("springs {bytes}"),
             ("flash of pull more", _) => format!("pulls {bytes}"),
+            ("flash of exact_drag more", _) => format!("exact drag {bytes}"),
+            ("flash of exact_spring more", _) => format!("exact springs {bytes}"),
+            ("flash of carried more", _) => format!("bodies that carry {bytes}"),
+            ("flash of rk4 more", _) => format!("method `Rk4` {bytes}"),
+            ("flash of pefrl more", _) => format!("`Pefrl` {bytes}"),
             ("flash of accumulator more", _) => format!("an accumulator {bytes}"),
             ("flash of snapshot more", _) => format!("saving and loading {bytes}"),
             other => panic!("no such row: {other:?}"),
@@ -205,36 +211,93 @@ fn the_readme_says_what_it_takes_in_flash() {
         );
         told += 1;
     }
-    assert_eq!(told, 2 + 5);
+    assert_eq!(told, 2 + 10);
 }
 
-/// The rounded figures of the bodies that carry, in ARCHITECTURE.md: `| body | bytes | M0+ | M4F |`.
+/// The figure of the gravity scene on a core.
+fn gravity(core: &str, body: &str, step: &str, method: &str) -> f64 {
+    let wanted = ["gravity", body, step, method];
+    let mut found = rows().filter(|row| row[0].starts_with(core) && row[1..5] == wanted);
+    let row = found
+        .next()
+        .unwrap_or_else(|| panic!("no row {core} {wanted:?}"));
+    row[5].parse().unwrap()
+}
+
+const CORES: [&str; 2] = ["thumbv6m", "thumbv7em"];
+
+/// The tables of methods in the README and in the documentation, columns 9 and 10.
 #[test]
-fn the_architecture_says_what_was_measured() {
-    let names = [
-        ("I16F16", "`Point<I16F16>`"),
-        ("I16F16 carried", "`Carried<I16F16>`"),
-        ("f32", "`Point<f32>`"),
-        ("f32 carried", "`Carried<f32>`"),
-    ];
-    let sizes = [
-        size_of::<Point<I16F16>>(),
-        size_of::<Carried<I16F16>>(),
-        size_of::<Point<f32>>(),
-        size_of::<Carried<f32>>(),
-    ];
-    for ((name, title), size) in names.into_iter().zip(sizes) {
-        let wanted = ["gravity", name, "1/60", "SemiImplicitEuler"];
-        let mut figures = rows().filter(|row| row[1..5] == wanted);
-        let mut next = || figures.next().unwrap()[5].parse::<f64>().unwrap().round();
-        let (m0, m4) = (next(), next());
-        let row = ARCHITECTURE
-            .lines()
-            .find(|line| line.starts_with(&format!("| {title} |")));
-        let row = row.unwrap_or_else(|| panic!("ARCHITECTURE.md lacks {title}"));
-        assert!(
-            row.ends_with(&format!("| {size} | {m0} | {m4} |")),
-            "{row}: {m0}, {m4}"
-        );
+fn the_tables_of_methods_say_what_they_cost() {
+    let documentation = include_str!("../src/integrate/mod.rs");
+    for method in [
+        "Euler",
+        "ConstantAcceleration",
+        "SemiImplicitEuler",
+        "Verlet",
+        "Rk4",
+        "Pefrl",
+    ] {
+        let figures = CORES.map(|core| gravity(core, "I16F16", "1/60", method).round());
+        let said = [
+            (README, format!("| `{method}` |")),
+            (documentation, format!("//! | [`{method}`] |")),
+        ];
+        for (text, start) in said {
+            let row = text.lines().find(|line| line.starts_with(&start));
+            let cells: Vec<_> = row
+                .unwrap_or_else(|| panic!("{start}"))
+                .split('|')
+                .collect();
+            for (cell, figure) in [cells[9], cells[10]].into_iter().zip(figures) {
+                assert_eq!(cell.trim(), figure.to_string(), "{start}");
+            }
+        }
     }
+}
+
+/// What a body costs, in ARCHITECTURE.md (rounded) and in the guide:
+/// `| body | bytes | M0+ 1/60 | M0+ 1/64 | M4F 1/60 | M4F 1/64 |`.
+#[test]
+fn the_guide_and_the_architecture_say_what_a_body_costs() {
+    let guide = include_str!("../src/guide.rs");
+    let bodies = [
+        ("I16F16", "`Point<I16F16>`", size_of::<Point<I16F16>>()),
+        (
+            "I16F16 carried",
+            "`Carried<I16F16>`",
+            size_of::<Carried<I16F16>>(),
+        ),
+        ("f32", "`Point<f32>`", size_of::<Point<f32>>()),
+        ("f32 carried", "`Carried<f32>`", size_of::<Carried<f32>>()),
+    ];
+    for (body, title, size) in bodies {
+        let steps: &[_] = if body.starts_with("f32") {
+            &["1/60"]
+        } else {
+            &["1/60", "1/64"]
+        };
+        let mut exact = vec![title.to_string(), size.to_string()];
+        let mut rounded = exact.clone();
+        for core in CORES {
+            for step in ["1/60", "1/64"] {
+                let figure = steps
+                    .contains(&step)
+                    .then(|| gravity(core, body, step, "SemiImplicitEuler"));
+                exact.push(figure.map_or(String::new(), |f| format!("{f:.1}")));
+                rounded.push(figure.map_or(String::new(), |f| f.round().to_string()));
+            }
+        }
+        for (text, cells) in [(guide, exact), (ARCHITECTURE, rounded)] {
+            assert!(has_row(text, &cells), "no row {cells:?}");
+        }
+    }
+}
+
+/// Whether a line of `text` has these cells.
+fn has_row(text: &str, cells: &[String]) -> bool {
+    let row = format!("| {} |", cells.join(" | ")).replace("|  |", "| |");
+    text.lines().any(|line| {
+        line.trim_start_matches("//! ").replace("|  |", "| |") == row.replace("|  |", "| |")
+    })
 }

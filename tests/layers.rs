@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From bottom to top; files of one rung do not import each other, but for the first.
-const RUNGS: [&[&str]; 14] = [
+const RUNGS: [&[&str]; 15] = [
     &["error", "ratio", "decimal", "fnv", "oscillation"],
     &["scalar"],
     &["vec2"],
@@ -22,6 +22,7 @@ const RUNGS: [&[&str]; 14] = [
     &["watched"],
     &["rewind"],
     &["defmt", "mint", "serde"],
+    &["guide"],
 ];
 
 struct Source {

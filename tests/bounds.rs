@@ -1,0 +1,61 @@
+//! `bounds.md` is the index of what tests allow: each test that it names exists, and each target that
+//! holds a bound is named.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const TABLE: &str = include_str!("bounds.md");
+
+/// Target and test of each row.
+fn rows() -> Vec<[&'static str; 2]> {
+    let lines = TABLE.lines().filter(|line| line.starts_with("| `"));
+    let cell = |line: &'static str, i| line.split('|').nth(i).unwrap().trim().trim_matches('`');
+    lines.map(|line| [cell(line, 1), cell(line, 2)]).collect()
+}
+
+fn tests() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")
+}
+
+/// The sources of a target: its file and those in its folder.
+fn sources(target: &str) -> String {
+    let mut text = fs::read_to_string(tests().join(format!("{target}.rs"))).unwrap_or_default();
+    if let Ok(parts) = fs::read_dir(tests().join(target)) {
+        for part in parts {
+            text += &fs::read_to_string(part.unwrap().path()).unwrap();
+        }
+    }
+    text
+}
+
+#[test]
+fn every_test_of_the_table_exists() {
+    let rows = rows();
+    assert!(rows.len() > 40, "only {} rows", rows.len());
+    for [target, test] in rows {
+        let written = sources(target).contains(&format!("fn {test}("));
+        let made = sources(target).contains(&format!(" {test},")); // by a macro
+        assert!(written || made, "no test {test} in tests/{target}");
+    }
+}
+
+/// Those that print bounds through `within` are all in the table.
+#[test]
+fn every_target_with_bounds_is_in_the_table() {
+    let named: BTreeSet<_> = rows().into_iter().map(|[target, _]| target).collect();
+    let entries = fs::read_dir(tests())
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let targets = entries.filter(|path| path.extension().is_some_and(|end| end == "rs"));
+    let mut seen = 0;
+    for target in targets {
+        let name = target.file_stem().unwrap().to_str().unwrap().to_owned();
+        let bounded = |line: &str| line.trim_start().starts_with("within(");
+        if sources(&name).lines().any(bounded) {
+            assert!(named.contains(name.as_str()), "tests/{name}.rs has no row");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "only {seen} targets hold bounds");
+}
