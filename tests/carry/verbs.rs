@@ -174,6 +174,10 @@ fn check_damped<S: Fine>() {
     for _ in 0..300_000 {
         let kept = (S::of_units(number(&mut random)), rest(&mut random));
         let (before, loss) = (fine_of(kept.0, kept.1), loss::<S>(&mut random));
+        // A sum at the end of the range may leave its remainder beyond it; the next cuts it off.
+        if before.abs() > LIMIT {
+            continue;
+        }
         let (v, left) = S::damped(kept, loss);
         let (after, part) = (fine_of(v, left), coef::<S>(loss));
         let what = format!("{kept:?} {loss:?}: {after}");
@@ -185,8 +189,7 @@ fn check_damped<S: Fine>() {
             "{what}"
         );
         assert!((after == before) == (part == 0 || before == 0), "{what}");
-        // Sums that saturate end at the type's own limits.
-        if before.abs() < LIMIT - (1 << FINE) {
+        if before.abs() < LIMIT {
             let back = S::damped((kept.0.negated(), -kept.1), loss);
             assert_eq!(back, (v.negated(), -left), "{what}");
         }
