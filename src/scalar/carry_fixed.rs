@@ -62,6 +62,18 @@ fn advanced(place: i64, change: i64) -> i64 {
     (high as i64) << 32 | low as i64
 }
 
+/// The same for factors from a quarter on, or below `2^-31`.
+#[cold]
+fn far(place: i64, (value, rest): (i32, i16), mantissa: i32, shift: u32) -> i64 {
+    let product = product_i32(value, mantissa);
+    let change = match shift.checked_sub(32) {
+        None | Some(0) => product.saturating_mul(1 << (32 - shift)).max(-i64::MAX),
+        Some(down) => rounded(product, down),
+    };
+    let rest = scaled(rest as i32, mantissa, shift, 32 - FINE);
+    place.saturating_add(change).saturating_add(rest)
+}
+
 /// A velocity in units of `2^-15`.
 #[inline]
 fn fine(value: i32, rest: i16) -> i64 {
@@ -136,51 +148,50 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
         FixedI32::from_bits(high.saturating_add(up as i32))
     }
 
-    // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
-    // by 2^-32 of such a unit, so that its product never lies half-way: see `factor.rs`.
     #[inline]
     fn moved(place: i64, value: Self, factor: Coef<i32>, halvings: u32) -> i64 {
-        let (mantissa, shift) = factor.parts();
-        let (value, shift) = (value.to_bits(), shift + halvings);
+        Self::drifted(place, (value, 0), factor, halvings)
+    }
+
+    #[inline(always)]
+    fn moved_dyadic(place: i64, value: Self, num: u32, shift: u32) -> i64 {
+        Self::drifted_dyadic(place, (value, 0), num, shift)
+    }
+
+    // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
+    // by 2^-32 of such a unit, so that its product never lies half-way: see `factor.rs`. Of the
+    // whole number the remainder of the velocity takes 2^-15, in 11 bits or more.
+    #[inline]
+    fn drifted(place: i64, (v, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {
+        let (mantissa, shift) = h.parts();
+        let (v, shift) = (v.to_bits(), shift + halvings);
         if !(33..=62).contains(&shift) {
-            let product = product_i32(value, mantissa);
-            return place.saturating_add(match shift.checked_sub(32) {
-                None | Some(0) => product.saturating_mul(1 << (32 - shift)).max(-i64::MAX),
-                Some(down) => rounded(product, down),
-            });
+            return far(place, (v, rest), mantissa, shift);
         }
         let fraction = mantissa << (64 - shift) | 1;
         let whole = (mantissa >> (shift - 32)) + (fraction < 0) as i32;
-        let part = (product_i32(value, fraction) + (1 << 31)) >> 32;
-        advanced(place, product_i32(value, whole) + part)
+        let part = (product_i32(v, fraction) + (1 << 31)) >> 32;
+        let rest = (rest as i32).wrapping_mul(whole >> FINE);
+        advanced(place, product_i32(v, whole) + part + rest as i64)
     }
 
     // A shift alone leaves its two words as they are. Below a second no product leaves the range.
     #[inline(always)]
-    fn moved_dyadic(place: i64, value: Self, num: u32, shift: u32) -> i64 {
-        let value = value.to_bits();
-        if num == 1 && shift > 0 {
-            let (high, low) = (value >> shift, (value as u32) << (32 - shift));
-            return advanced(place, (high as i64) << 32 | low as i64);
-        }
-        let (product, unit) = (value as i64 * num as i64, 1_i64 << (32 - shift));
-        match num >> shift {
-            0 => advanced(place, product.wrapping_mul(unit)),
-            _ => place.saturating_add(product.saturating_mul(unit)),
-        }
-    }
-
-    #[inline]
-    fn drifted(place: i64, (v, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {
-        let (mantissa, shift) = h.parts();
-        let more = scaled(rest as i32, mantissa, shift + halvings, 32 - FINE);
-        Self::moved(place, v, h, halvings).saturating_add(more)
-    }
-
-    #[inline(always)]
     fn drifted_dyadic(place: i64, (v, rest): (Self, i16), num: u32, shift: u32) -> i64 {
-        let more = scaled(rest as i32, num as i32, shift, 32 - FINE);
-        Self::moved_dyadic(place, v, num, shift).saturating_add(more)
+        let (value, unit) = (v.to_bits(), 1_i64 << (32 - shift));
+        if num >> shift != 0 {
+            let rest = (rest as i64 * num as i64) << (32 - FINE) >> shift;
+            let change = (value as i64 * num as i64).saturating_mul(unit);
+            return place.saturating_add(change).saturating_add(rest);
+        }
+        let weight = (((num as u64) << (32 - FINE)) >> shift) as i32;
+        let rest = (rest as i32).wrapping_mul(weight) as i64;
+        if num == 1 {
+            let (high, low) = (value >> shift, (value as u32) << (32 - shift));
+            return advanced(place, ((high as i64) << 32 | low as i64) + rest);
+        }
+        let product = value as i64 * num as i64;
+        advanced(place, product.wrapping_mul(unit) + rest)
     }
 
     #[inline]

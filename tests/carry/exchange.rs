@@ -99,21 +99,21 @@ fn check<S: Fine>(kept: Kept<S>, impulse: i32, inv_mass: S::InvMass, met: &mut M
 
 fn check_all<S: Fine>(seed: u64) {
     let (mut random, mut met) = (Random(seed), Met::default());
-    for _ in 0..1_000_000 {
+    for _ in 0..100_000 {
         let (kept, impulse) = (state::<S>(&mut random), number(&mut random, 31));
         check(kept, impulse, inv_mass::<S>(&mut random), &mut met);
     }
     println!("{} {met:?}", S::name());
-    assert!(met.exact > 500_000 && met.saturated > 50_000 && met.heavy > 100_000);
+    assert!(met.exact > 50_000 && met.saturated > 5_000 && met.heavy > 10_000);
 }
 
 #[test]
-fn a_million_impulses_are_exchanged_exactly() {
+fn impulses_at_random_are_exchanged_exactly() {
     check_all::<I16F16>(1);
 }
 
 #[test]
-fn a_million_impulses_are_exchanged_exactly_in_i8f24() {
+fn impulses_at_random_are_exchanged_exactly_in_i8f24() {
     check_all::<I8F24>(2);
 }
 

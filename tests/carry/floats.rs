@@ -5,7 +5,7 @@ use fixstep::Carry;
 use crate::support::*;
 
 /// Terms of one sum.
-const TERMS: usize = 100_000;
+const TERMS: usize = 20_000;
 
 /// A sum of two `f64` without loss: Knuth's.
 fn two_sum(a: f64, b: f64) -> (f64, f64) {

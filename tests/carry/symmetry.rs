@@ -138,10 +138,10 @@ fn assert_same(track: &Track, other: &Track, change: Change, what: &str) {
 
 fn check_mirror<S: Fine + fixstep::Decay>(step: &impl TimeStep<S>, what: &str) {
     for scheme in SCHEMES {
-        let plain = track::<S>(scheme, step, 5000, (NONE, ORDER), 0.0);
+        let plain = track::<S>(scheme, step, 1000, (NONE, ORDER), 0.0);
         for signs in [[-1, 1], [-1, -1]] {
             let change = Change { signs, ..NONE };
-            let other = track(scheme, step, 5000, (change, ORDER), 0.0);
+            let other = track(scheme, step, 1000, (change, ORDER), 0.0);
             let what = format!("{} {scheme:?} {what} {signs:?}", S::name());
             assert_same(&plain, &other, change, &what);
         }
@@ -168,13 +168,13 @@ fn check_shift<S: Fine + fixstep::Decay>() {
     // Within 12 m of the middle, and as far from the ends.
     let room = (0.8 * S::MAX.to_f64() / S::unit(0.0)) as i32;
     for scheme in SCHEMES {
-        let plain = track::<S>(scheme, &step, 1000, (NONE, ORDER), 0.0);
+        let plain = track::<S>(scheme, &step, 300, (NONE, ORDER), 0.0);
         let part = |i: usize| ((2.0 * spread(i) - 1.0) * room as f64) as i32;
         let random = (0..16).map(|i| [part(i), part(i + 99)]);
         let near = [[1, 0], [0, -1], [room, room], [-room, room], [-room, -room]];
         for shift in near.into_iter().chain(random) {
             let change = Change { shift, ..NONE };
-            let other = track(scheme, &step, 1000, (change, ORDER), 0.0);
+            let other = track(scheme, &step, 300, (change, ORDER), 0.0);
             let what = format!("{} {scheme:?} {shift:?}", S::name());
             assert_same(&plain, &other, change, &what);
         }

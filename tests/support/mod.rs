@@ -238,7 +238,7 @@ pub fn maximum(errors: &[f64]) -> f64 {
     errors
         .iter()
         .copied()
-        .fold(0.0, |a, b| if a >= b { a } else { b })
+        .fold(0.0, |a, b| if a >= b || a.is_nan() { a } else { b })
 }
 
 /// Prints median and maximum, and fails unless every error is within `bound`.
