@@ -237,7 +237,9 @@ impl<B: Body, const N: usize> World<B, N> {
     /// The bodies that stand at an end of the range, or are NaN or infinite, now.
     ///
     /// It looks at the state as it is, so look after every step that matters: a saturated spring may
-    /// throw its body back. An impulse saturates too, which shows only in where the body goes.
+    /// throw its body back. An impulse saturates too, which shows only in where the body goes: what is
+    /// unstable (explicit drag, `Rk4`) may swing inside the range for ever. A
+    /// [`Watched`](crate::Watched) body remembers each sum that did reach the end.
     pub fn out_of_range(&self) -> impl Iterator<Item = BodyId> {
         self.iter()
             .filter(|(_, body)| !body.is_inside())

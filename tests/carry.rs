@@ -23,3 +23,17 @@ mod spring;
 mod symmetry;
 #[path = "carry/verbs.rs"]
 mod verbs;
+
+/// Median and maximum of the errors of a body, in two columns of the README's table of long runs.
+fn told(body: &str, column: usize, errors: &[f64]) {
+    let readme = include_str!("../README.md");
+    let table = readme.split("### Long runs").nth(1).unwrap();
+    let row = table
+        .lines()
+        .find(|line| line.starts_with(&format!("| `{body}` |")));
+    let cells: Vec<_> = row.unwrap_or_else(|| panic!("{body}")).split('|').collect();
+    let figures = [support::median(errors), support::maximum(errors)];
+    for (cell, figure) in cells[column..].iter().zip(figures) {
+        assert_eq!(cell.trim(), format!("{figure:.1e}"), "{body}");
+    }
+}

@@ -12,6 +12,11 @@
 //! | [`Spring`] | two bodies | a square root, two or three divisions |
 //! | [`Pull`] | two bodies | a square root, three divisions, nine products |
 //! | [`AllBodies`] | every body, from all | your function, 8 bytes a body in the force |
+//! | [`ExactDrag`] | every body, damped | a product an axis; an exponential where the mass changes |
+//! | [`ExactQuadraticDrag`] | every body, damped | a square root, a division, two products and one more an axis |
+//! | [`Ballistic`] | every body, in place of its drift | two products an axis; an exponential where the mass changes |
+//! | [`ExactSpring`] | one body, in place of its drift | three products an axis, four if damped |
+//! | [`ExactPair`] | two bodies, in place of their drift | five divisions, some products |
 //!
 //! [`Pairs`] and [`AllPairs`] say between which bodies a spring or a pull acts. A tuple of forces is
 //! a force, and so is an array, a `heapless::Vec` or an `Option` of one; a [`Window`] bounds one in
@@ -25,6 +30,10 @@
 //! it. [`couple`](Force::couple) forces see all bodies and run before that loop. Under the splitting
 //! methods a force reads velocities that coupled forces before it have changed: drag brakes what a
 //! spring has just pushed, so a body that hangs in both rests about `k_drag h / m` of its sag lower.
+//!
+//! What is solved exactly is no kick. [`damp`](Force::damp) takes a part of a velocity, after the kicks
+//! or half before and half after them. [`flow`](Force::flow) moves bodies through a step in place of
+//! their drift; each body has one flow at most, the first that is named.
 
 mod all_bodies;
 mod anchor;

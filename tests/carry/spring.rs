@@ -155,6 +155,14 @@ fn row<B: Drifts>(scheme: Scheme) -> [f64; 16] {
     within(roundings::<B>(scheme), &format!("{what} 1 m, m"), &own);
     let bound = roundings::<B>(scheme) + coefficients::<B::S>();
     within(bound, &format!("{what} beside ideal k h, m"), &ideal);
+    if scheme == Scheme::SemiImplicitEuler {
+        let kind = if B::KIND == "Point" {
+            "Point"
+        } else {
+            "Carried"
+        };
+        crate::told(&format!("{kind}<{}>", B::S::name()), 4, &own);
+    }
     own
 }
 
