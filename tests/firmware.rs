@@ -140,7 +140,7 @@ fn the_host_makes_the_bits_of_the_targets() {
         );
         compared += 1;
     }
-    assert_eq!(compared, 2 * (13 + 2 * 12));
+    assert_eq!(compared, 2 * (20 + 2 + 2 * 18 + 14));
 }
 
 /// The cell of the README's row that begins with `start`.
@@ -160,7 +160,7 @@ fn the_readme_says_what_a_step_costs() {
         assert_eq!(cell(&start, column), figure, "{target}: {start}");
         told += 1;
     }
-    assert_eq!(told, 2 * 12);
+    assert_eq!(told, 2 * 20);
 }
 
 /// A row of its second: `| force | unit |` and of each core `I16F16 | f32 | carried |`.
