@@ -7,7 +7,8 @@
 //!
 //! The chord is the path of a method that moves with one velocity per step, the chord with its bow
 //! that of a method for constant acceleration: from `x0` with `v0` to `x1` with `v1`, and
-//! `x1 - x0 = h/2 (v0 + v1)`. Each [`Method`](crate::Method) says which is its own.
+//! `x1 - x0 = h/2 (v0 + v1)`. Each [`Method`](crate::Method) says which is its own. A body that flows
+//! (an exact spring) turns within a step by `h ω`, which no parabola follows from 1 on.
 
 use crate::error::Error;
 use crate::ratio::Ratio;

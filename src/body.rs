@@ -71,6 +71,12 @@ pub trait Body: Copy + 'static {
     /// `x += h/2 v`.
     fn drift_half(&mut self, step: &impl TimeStep<Self::S>);
 
+    /// `x += factor v`, for a part of a step; a body that keeps remainders moves by all of v.
+    #[inline]
+    fn drift_by(&mut self, factor: <Self::S as Scalar>::Coef) {
+        self.move_by(self.velocity(), factor);
+    }
+
     /// Hands the exact bits of its state to `write`, for a hash. A body that holds more than
     /// position and velocity adds it.
     fn write_state(&self, write: &mut impl FnMut(u64)) {

@@ -10,6 +10,12 @@ use crate::vec2::Vec2;
 /// A point with mass that adds up what every drift and kick rounds away: 32 bytes in a 32-bit scalar,
 /// where [`Point`] has 20.
 ///
+/// | kept | not kept |
+/// |---|---|
+/// | drifts, of all methods but the four drifts to stages in `Rk4` | what a flow sees: it starts from the rounded state |
+/// | kicks of gravity, drags, anchors, functions, pulls | the sums of k in `Rk4`, each rounded |
+/// | pushes: in units of momentum | `Pull`: it kicks each body by itself, so momentum walks |
+///
 /// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to
 /// the last digit of `h`; a body under drag comes to rest where it should; and the momentum of bodies that
 /// push each other, counted with remainders by [`momentum`](Carried::momentum), is constant to the bit (up
@@ -223,6 +229,12 @@ impl<S: Carry> Body for Carried<S> {
     fn drift_half(&mut self, step: &impl TimeStep<S>) {
         let ([x, y], [u, v]) = (self.place, self.kept());
         self.place = [step.carry_half(x, u), step.carry_half(y, v)];
+    }
+
+    #[inline]
+    fn drift_by(&mut self, factor: S::Coef) {
+        let ([x, y], [u, v]) = (self.place, self.kept());
+        self.place = [S::drifted(x, u, factor, 0), S::drifted(y, v, factor, 0)];
     }
 
     fn write_state(&self, write: &mut impl FnMut(u64)) {

@@ -12,7 +12,9 @@ use crate::vec2::Vec2;
 use crate::world::World;
 
 impl<B: Body, const N: usize> World<B, N> {
-    /// Total momentum `sum(m v)`, kg m/s.
+    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen. That of
+    /// [`Carried`](crate::Carried) bodies with their remainders is the sum of
+    /// [`Carried::momentum`](crate::Carried::momentum).
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         let of = |body: &B| {

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! damped      x' = x + (p11 - 1) z + p12 v      v' = v + p21 z + (p22 - 1) v
-//! undamped    x½ = x + α v,  v' = v + β z½,  x' = x½ + α v'
+//! undamped    x½ = x + α v,  v' = v + β z½,  x' = x½ + α v'     after half a turn where cos is negative
 //! ```
 //!
 //! z is the displacement from where the spring rests. Undamped the step is a turn, and three shears make

@@ -6,6 +6,7 @@
 //! | forces that read velocities: drags, functions without [`PositionOnly`](crate::PositionOnly) | does not compile |
 //! | a [`Spring`](crate::Spring) or [`Anchor`](crate::Anchor) with damping | [`RewindError::Damped`] |
 //! | methods that are no mirror image of one: [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration), [`Rk4`](crate::Rk4) | does not compile |
+//! | bodies whose remainders a turn would not lead back: [`Carried`](crate::Carried) | does not compile |
 //! | saturation, at any time | a plain point does not compile, [`Watched`] says [`RewindError::Saturated`] |
 //!
 //! The scene hands in the method, the step and the forces that the steps were made with, and undoes by

@@ -127,6 +127,7 @@ impl<B: Body> Body for Watched<B> {
         damp(loss: <B::S as Scalar>::Coef) changes velocity;
         shift(dx: Vec2<B::S>) changes position;
         move_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes position;
+        drift_by(factor: <B::S as Scalar>::Coef) changes position;
         drift(step: &impl TimeStep<B::S>) changes position;
         drift_half(step: &impl TimeStep<B::S>) changes position;
     }

@@ -3,6 +3,8 @@
 
 mod support;
 
+#[path = "exact_spring/drag.rs"]
+mod drag;
 #[path = "exact_spring/flow.rs"]
 mod flow;
 #[path = "exact_spring/hanging.rs"]

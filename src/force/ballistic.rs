@@ -22,6 +22,10 @@ use crate::vec2::Vec2;
 /// The same acceleration for every body, against linear drag; exact in position and velocity at any
 /// step. Instead of [`Gravity`](crate::Gravity) and [`ExactDrag`](crate::ExactDrag), not beside them.
 ///
+/// Name it behind exact springs: it takes every body that no flow before it has. A spring beside it is not
+/// [told](crate::ExactSpring::under) of gravity, since no `Gravity` kicks its body. As with `ExactDrag`,
+/// equal masses should stand side by side.
+///
 /// ```
 /// use fixstep::{dec, vec2, Ballistic, Point, SemiImplicitEuler, Step, World};
 /// let mut world = World::<_, 1>::new();
@@ -129,7 +133,7 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
                 }
                 _ => self.renew(rates, body.inv_mass(), whole),
             };
-            body.move_by(body.velocity(), flight.time);
+            body.drift_by(flight.time);
             body.shift(share(flight.fall));
             body.damp(flight.loss);
             body.kick(share(flight.kick));

@@ -82,14 +82,7 @@ struct Shares<S: Scalar> {
     kicks: [S::Coef; 2],
 }
 
-/// `num / 10^17`
-const fn decimal(num: i64) -> Ratio {
-    match Ratio::new(num, 100_000_000_000_000_000) {
-        Ok(ratio) => ratio,
-        Err(_) => unreachable!(),
-    }
-}
-
+// In units of 10^-17.
 const XI: i64 = 17_861_789_584_480_910;
 const LAMBDA: i64 = -21_234_183_106_260_540;
 const CHI: i64 = -6_626_458_266_981_849;
@@ -98,8 +91,8 @@ const ONE: i64 = 100_000_000_000_000_000;
 impl<S: Scalar> Shares<S> {
     fn of(h: S::Coef) -> Self {
         let share = |num| {
-            let coef = S::Coef::new(decimal(num)).unwrap_or(S::ZERO.coef());
-            S::product(coef, h)
+            let coef = Ratio::new(num, ONE as u64).ok().and_then(S::Coef::new);
+            S::product(coef.unwrap_or(S::ZERO.coef()), h)
         };
         Shares {
             drifts: [share(XI), share(CHI), share(ONE - 2 * (CHI + XI))],
@@ -196,5 +189,5 @@ impl<B: Turn, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
 /// `x += share v` for every body.
 #[inline]
 fn drift_by<B: Body>(bodies: &mut [B], share: <B::S as Scalar>::Coef) {
-    each(bodies, |body| body.move_by(body.velocity(), share));
+    each(bodies, |body| body.drift_by(share));
 }

@@ -1,7 +1,7 @@
 //! Exponentials of a coefficient, for drags that are solved exactly.
 //!
 //! ```text
-//! loss(x) = 1 - exp(-x) = x φ1       φ1 = (1 - exp(-x)) / x = 1 - x φ2       φ2 = (φ1's own)
+//! loss(x) = 1 - exp(-x) = x φ1       φ1 = (1 - exp(-x)) / x = 1 - x φ2       φ2 = (1 - φ1) / x
 //! φ2(y)   = sum (-y)^n / (n + 2)!    for y <= 1/2
 //! φ1(2y)  = φ1 (1 - loss/2)          φ2(2y) = φ2/2 + φ1²/4      loss(2y) = loss (2 - loss)
 //! ```

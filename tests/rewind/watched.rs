@@ -64,7 +64,7 @@ fn each_verb_sees_the_end_of_the_range() {
     };
     let [up, x, y] = [20_000.0, 10_000.0, 0.0];
     let along: Vec2<I16F16> = vector(x, y);
-    let verbs: [(&str, Verb); 10] = [
+    let verbs: [(&str, Verb); 11] = [
         ("kick", &|ball| ball.kick(vector(up, 0.0))),
         ("kick_y", &|ball| {
             ball.kick_y(I16F16::from_num(32_767) + I16F16::DELTA * 65_535)
@@ -77,6 +77,7 @@ fn each_verb_sees_the_end_of_the_range() {
         ("move_by", &|ball| {
             ball.move_by(Vec2::new(along.y, along.x), coef(2))
         }),
+        ("drift_by", &|ball| ball.drift_by(coef(2))),
         ("drift", &|ball| (0..4).for_each(|_| ball.drift(&step))),
         ("drift_half", &|ball| {
             (0..8).for_each(|_| ball.drift_half(&step))
