@@ -56,6 +56,12 @@ pub trait Body: Copy + 'static {
         self.kick(-self.velocity().map(|v| v.lost(loss)));
     }
 
+    /// `v = 0`, with all that was left over.
+    #[inline]
+    fn halt(&mut self) {
+        self.kick(-self.velocity());
+    }
+
     /// `x += dx`, m.
     fn shift(&mut self, dx: Vec2<Self::S>);
 

@@ -12,9 +12,9 @@ use crate::vec2::Vec2;
 ///
 /// | kept | not kept |
 /// |---|---|
-/// | drifts, of all methods but the four drifts to stages in `Rk4` | what a flow sees: it starts from the rounded state |
-/// | kicks of gravity, drags, anchors, functions, pulls | the sums of k in `Rk4`, each rounded |
-/// | pushes: in units of momentum | `Pull`: it kicks each body by itself, so momentum walks |
+/// | drifts of every method | what a flow sees: it starts from the rounded state |
+/// | kicks of gravity, drags, anchors, functions, pulls | each k of `Rk4`: a force below a quarter unit of velocity a step does nothing there |
+/// | pushes: in units of momentum | `Pull`, and any force under `Rk4`: kicks, by which momentum walks |
 ///
 /// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to
 /// the last digit of `h`; a body under drag comes to rest where it should; and the momentum of bodies that
@@ -199,6 +199,11 @@ impl<S: Carry> Body for Carried<S> {
     #[inline]
     fn damp(&mut self, loss: S::Coef) {
         self.set(self.kept().map(|kept| S::damped(kept, loss)));
+    }
+
+    #[inline]
+    fn halt(&mut self) {
+        self.set([(S::ZERO, S::NO_REST); 2]);
     }
 
     #[inline]

@@ -102,7 +102,12 @@ impl Ratio {
 
     /// `self / 2` of a ratio greater than zero.
     pub(crate) fn halved(self) -> Option<Ratio> {
-        Ratio::nearest(self.num as u128, 2 * self.den as u128)
+        match self.num % 2 {
+            0 => Ratio::new(self.num / 2, self.den).ok(),
+            _ => {
+                Ratio::nearest(self.num as u128, 2 * self.den as u128).filter(|half| half.num != 0)
+            }
+        }
     }
 
     /// `1 / self` of a ratio greater than zero.

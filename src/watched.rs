@@ -132,6 +132,11 @@ impl<B: Body> Body for Watched<B> {
         drift_half(step: &impl TimeStep<B::S>) changes position;
     }
 
+    #[inline]
+    fn halt(&mut self) {
+        self.body.halt();
+    }
+
     fn write_state(&self, write: &mut impl FnMut(u64)) {
         self.body.write_state(write);
     }

@@ -102,7 +102,12 @@ impl<S: Scalar> ExactSpring<S> {
             return Err(error);
         }
         let load = Some(Load { acceleration, sag });
-        Ok(ExactSpring { load, ..self })
+        let known = None; // what was made for another load, or none
+        Ok(ExactSpring {
+            load,
+            known,
+            ..self
+        })
     }
 
     /// Where it rests.

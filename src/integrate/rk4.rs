@@ -80,7 +80,7 @@ impl<B: Body, const N: usize> Rk4<B, N> {
         copy(bodies, &mut self.live);
         self.first.clear();
         for live in &mut self.live {
-            live.kick(-live.velocity());
+            live.halt();
             let _ = self.first.push(Vec2::ZERO);
         }
     }

@@ -42,7 +42,8 @@ const NO_ID: u64 = 1 << 32;
 
 /// A body that a snapshot can hold.
 pub trait Saved: Body<S: Stored> {
-    /// Tells kinds of bodies apart. Yours starts at `0x8000`.
+    /// Tells kinds of bodies apart. Yours starts at `0x8000` and ends below `0xC000`: a
+    /// [`Watched`](crate::Watched) body sets the bit `0x4000`.
     const KIND: u16;
 
     /// Bytes of its state: as many as `save` hands out and `load` takes.
