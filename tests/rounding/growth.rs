@@ -195,14 +195,21 @@ fn errors_are_as_large_as_derived_under_verlet() {
     measured(1).iter().for_each(check_sizes);
 }
 
-/// At every count from 10⁴, each number type against itself and fixed point against `f32`.
+/// At every count from 10⁴, against `f32`; and each number type against itself for as long as the point
+/// has a phase: once lost, its error is as large as the orbit, and so may that of the other be.
 #[test]
 fn keeping_remainders_beats_f32() {
     for setup in 0..SETUPS.len() {
         let rows = measured(setup);
         for [carried, point] in [[6, 0], [6, 3], [5, 1], [4, 0]] {
+            let last = if point == 0 {
+                COUNTS.len()
+            } else {
+                rows[point].linear()
+            };
+            assert!(last > 2);
             let [carried, point] = [carried, point].map(|k: usize| &rows[k]);
-            for (count, n) in COUNTS.iter().enumerate().skip(2) {
+            for (count, n) in COUNTS.iter().enumerate().take(last).skip(2) {
                 let [a, b] = [carried, point].map(|row| &row.found[count].state);
                 let what = format!("{} against {}, {n} steps", carried.name, point.name);
                 assert!(median(a) < median(b), "{what}");
