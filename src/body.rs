@@ -62,6 +62,12 @@ pub trait Body: Copy + 'static {
         self.kick(-self.velocity());
     }
 
+    /// `v += factor * (x - from)`; a body that keeps remainders counts them in.
+    #[inline]
+    fn kick_from(&mut self, from: Vec2<Self::S>, factor: <Self::S as Scalar>::Coef) {
+        self.kick_by(self.position() - from, factor);
+    }
+
     /// `x += dx`, m.
     fn shift(&mut self, dx: Vec2<Self::S>);
 
@@ -81,6 +87,27 @@ pub trait Body: Copy + 'static {
     #[inline]
     fn drift_by(&mut self, factor: <Self::S as Scalar>::Coef) {
         self.move_by(self.velocity(), factor);
+    }
+
+    /// `x += a z + b v` and `v += c z + d v` by the state before, with `z = x - from` and `by` the four
+    /// in that order; a body that keeps remainders counts them in.
+    #[inline]
+    fn swing(&mut self, from: Vec2<Self::S>, by: [<Self::S as Scalar>::Coef; 4]) {
+        let ([a, b, c, d], z, v) = (by, self.position() - from, self.velocity());
+        self.move_by(z, a);
+        self.move_by(v, b);
+        self.kick_by(z, c);
+        self.kick_by(v, d);
+    }
+
+    /// Half a turn: `x` to the other side of `about`, and `v = -v`.
+    #[inline]
+    fn mirror(&mut self, about: Vec2<Self::S>) {
+        let (z, v) = (self.position() - about, self.velocity());
+        self.shift(-z);
+        self.shift(-z);
+        self.kick(-v);
+        self.kick(-v);
     }
 
     /// Hands the exact bits of its state to `write`, for a hash. A body that holds more than

@@ -12,15 +12,15 @@ use crate::vec2::Vec2;
 ///
 /// | kept | not kept |
 /// |---|---|
-/// | drifts of every method | what a flow sees: it starts from the rounded state |
+/// | drifts of every method, and [`ExactSpring`](crate::ExactSpring) | what a pair sees of the other: its rounded state |
 /// | kicks of gravity, drags, anchors, functions, pulls | each k of `Rk4`: a force below a quarter unit of velocity a step does nothing there |
 /// | pushes: in units of momentum | `Pull`, and any force under `Rk4`: kicks, by which momentum walks |
 ///
 /// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to
 /// the last digit of `h`; a body under drag comes to rest where it should; and the momentum of bodies that
 /// push each other, counted with remainders by [`momentum`](Carried::momentum), is constant to the bit (up
-/// to `2^15` kg; a heavier body rounds an impulse to its own unit). Forces see positions and velocities
-/// rounded, as a [`Point`] has them.
+/// to `2^15` kg; a heavier body rounds an impulse to its own unit). All but an exact spring see positions
+/// and velocities rounded, as a [`Point`] has them.
 ///
 /// Positions are rounded for them away from zero where two are equally near: at a dyadic rate a scene that
 /// is shifted over the origin is the same but for such ties.
@@ -126,6 +126,13 @@ impl<S: Carry> Carried<S> {
         [(self.velocity.x, rest_x), (self.velocity.y, rest_y)]
     }
 
+    /// Both parts of how far it is from a point, with their remainders.
+    #[inline]
+    fn beyond(&self, from: Vec2<S>) -> [(S, S::Rest); 2] {
+        let [x, y] = self.place;
+        [S::beyond(x, from.x), S::beyond(y, from.y)]
+    }
+
     #[inline]
     fn set(&mut self, [(x, rest_x), (y, rest_y)]: [(S, S::Rest); 2]) {
         self.velocity = Vec2::new(x, y);
@@ -137,6 +144,19 @@ impl<S: Carry> Carried<S> {
     fn add(&mut self, change: Vec2<S>) {
         self.velocity += change;
     }
+}
+
+/// One axis of [`Body::swing`].
+#[inline]
+fn swung<S: Carry>(
+    place: S::Place,
+    kept: (S, S::Rest),
+    z: (S, S::Rest),
+    [a, b, c, d]: [S::Coef; 4],
+) -> (S::Place, (S, S::Rest)) {
+    let place = S::drifted(S::drifted(place, z, a, 0), kept, b, 0);
+    let gained = S::kicked_as(kept, z, c);
+    (place, S::kicked_as(gained, kept, d))
 }
 
 /// With nothing left over yet.
@@ -192,6 +212,12 @@ impl<S: Carry> Body for Carried<S> {
     }
 
     #[inline]
+    fn kick_from(&mut self, from: Vec2<S>, factor: S::Coef) {
+        let ([x, y], [zx, zy]) = (self.kept(), self.beyond(from));
+        self.set([S::kicked_as(x, zx, factor), S::kicked_as(y, zy, factor)]);
+    }
+
+    #[inline]
     fn push(&mut self, impulse: Vec2<S>) {
         self.set(S::pushed(self.kept(), impulse.array(), self.inv_mass));
     }
@@ -240,6 +266,21 @@ impl<S: Carry> Body for Carried<S> {
     fn drift_by(&mut self, factor: S::Coef) {
         let ([x, y], [u, v]) = (self.place, self.kept());
         self.place = [S::drifted(x, u, factor, 0), S::drifted(y, v, factor, 0)];
+    }
+
+    #[inline]
+    fn swing(&mut self, from: Vec2<S>, by: [S::Coef; 4]) {
+        let (place, kept, z) = (self.place, self.kept(), self.beyond(from));
+        let [(x, u), (y, v)] = [0, 1].map(|axis| swung(place[axis], kept[axis], z[axis], by));
+        self.place = [x, y];
+        self.set([u, v]);
+    }
+
+    #[inline]
+    fn mirror(&mut self, about: Vec2<S>) {
+        let ([x, y], kept) = (self.place, self.kept());
+        self.place = [S::mirrored(x, about.x), S::mirrored(y, about.y)];
+        self.set(kept.map(S::turned));
     }
 
     fn write_state(&self, write: &mut impl FnMut(u64)) {

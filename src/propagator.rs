@@ -95,24 +95,14 @@ impl<S: Scalar> Propagator<S> {
     #[inline]
     pub(crate) fn apply<B: Body<S = S>>(self, rest: Vec2<S>, body: &mut B) {
         match self {
-            Propagator::Damped([p11, p12, p21, p22]) => {
-                let (z, v) = (body.position() - rest, body.velocity());
-                body.move_by(z, p11);
-                body.move_by(v, p12);
-                body.kick_by(z, p21);
-                body.kick_by(v, p22);
-            }
+            Propagator::Damped(entries) => body.swing(rest, entries),
             Propagator::Turn(over, [forth, back]) => {
                 if over {
-                    let (z, v) = (body.position() - rest, body.velocity());
-                    body.shift(-z);
-                    body.shift(-z);
-                    body.kick(-v);
-                    body.kick(-v);
+                    body.mirror(rest);
                 }
-                body.move_by(body.velocity(), forth);
-                body.kick_by(body.position() - rest, back);
-                body.move_by(body.velocity(), forth);
+                body.drift_by(forth);
+                body.kick_from(rest, back);
+                body.drift_by(forth);
             }
         }
     }

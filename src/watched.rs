@@ -125,11 +125,22 @@ impl<B: Body> Body for Watched<B> {
         brake_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes velocity;
         push(impulse: Vec2<B::S>) changes velocity;
         damp(loss: <B::S as Scalar>::Coef) changes velocity;
+        kick_from(from: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes velocity;
         shift(dx: Vec2<B::S>) changes position;
         move_by(value: Vec2<B::S>, factor: <B::S as Scalar>::Coef) changes position;
         drift_by(factor: <B::S as Scalar>::Coef) changes position;
         drift(step: &impl TimeStep<B::S>) changes position;
         drift_half(step: &impl TimeStep<B::S>) changes position;
+    }
+
+    #[inline]
+    fn swing(&mut self, from: Vec2<B::S>, by: [<B::S as Scalar>::Coef; 4]) {
+        self.change(|body| body.swing(from, by));
+    }
+
+    #[inline]
+    fn mirror(&mut self, about: Vec2<B::S>) {
+        self.change(|body| body.mirror(about));
     }
 
     #[inline]

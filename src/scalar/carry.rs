@@ -26,6 +26,14 @@ pub trait Carry: Scalar {
     #[must_use]
     fn seen(place: Self::Place) -> Self;
 
+    /// `place - from`, with as much of its remainder as one of a velocity holds.
+    #[must_use]
+    fn beyond(place: Self::Place, from: Self) -> (Self, Self::Rest);
+
+    /// `2 about - place`, saturating.
+    #[must_use]
+    fn mirrored(place: Self::Place, about: Self) -> Self::Place;
+
     /// `place + factor * value / 2^halvings`, saturating; `halvings` is 0 or 1.
     #[must_use]
     fn moved(place: Self::Place, value: Self, factor: Self::Coef, halvings: u32) -> Self::Place;
@@ -55,6 +63,18 @@ pub trait Carry: Scalar {
     /// A velocity and its remainder after `+ factor * value`.
     #[must_use]
     fn kicked(kept: (Self, Self::Rest), value: Self, factor: Self::Coef) -> (Self, Self::Rest);
+
+    /// The same after `+ factor * value` for a value with its remainder.
+    #[must_use]
+    fn kicked_as(
+        kept: (Self, Self::Rest),
+        value: (Self, Self::Rest),
+        factor: Self::Coef,
+    ) -> (Self, Self::Rest);
+
+    /// The same after `v = -v`.
+    #[must_use]
+    fn turned(kept: (Self, Self::Rest)) -> (Self, Self::Rest);
 
     /// The same after losing `loss` of both, for a loss from 0 to 1: towards rest and never past it.
     /// In fixed point at least one unit of the remainder goes, so that a body comes to rest.

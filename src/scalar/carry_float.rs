@@ -41,6 +41,16 @@ macro_rules! float_carry {
             }
 
             #[inline]
+            fn beyond([sum, excess]: [$float; 2], from: $float) -> ($float, $rest) {
+                (sum - from, short!($bits, $rest, excess))
+            }
+
+            #[inline]
+            fn mirrored([sum, excess]: [$float; 2], about: $float) -> [$float; 2] {
+                Self::moved([-sum, -excess], about, 2.0, 0)
+            }
+
+            #[inline]
             fn moved(
                 [sum, excess]: [$float; 2],
                 value: $float,
@@ -94,6 +104,22 @@ macro_rules! float_carry {
             ) -> ($float, $rest) {
                 let [v, excess] = Self::moved([v, long!($float, $bits, rest)], value, factor, 0);
                 (v, short!($bits, $rest, excess))
+            }
+
+            #[inline]
+            fn kicked_as(
+                (v, rest): ($float, $rest),
+                (value, more): ($float, $rest),
+                factor: $float,
+            ) -> ($float, $rest) {
+                let excess = long!($float, $bits, rest) + factor * long!($float, $bits, more);
+                let [v, excess] = Self::moved([v, excess], value, factor, 0);
+                (v, short!($bits, $rest, excess))
+            }
+
+            #[inline]
+            fn turned((v, rest): ($float, $rest)) -> ($float, $rest) {
+                (-v, short!($bits, $rest, -long!($float, $bits, rest)))
             }
 
             #[inline]

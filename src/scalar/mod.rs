@@ -22,6 +22,7 @@ mod carry_float;
 mod decay;
 mod division;
 mod factor;
+mod fine;
 mod fixed_point;
 mod float;
 mod high_product;

@@ -107,17 +107,7 @@ impl<S: Format> Case<S> {
 
     /// The first row of `sum(|P^k|)`.
     fn kept_alive(&self) -> [f64; 2] {
-        self.summed(Matrix::identity())
-    }
-
-    /// Half a unit of x and of v in the first row of `sum(|P^k (P - 1)|)`, in units of x.
-    pub fn read_rounded(&self) -> f64 {
-        let [x, v] = self.summed(self.whole.less(&Matrix::identity()));
-        0.5 * (x + v / self.omega)
-    }
-
-    fn summed(&self, first: Matrix) -> [f64; 2] {
-        let (mut power, mut sum) = (first, [0.0; 2]);
+        let (mut power, mut sum) = (Matrix::identity(), [0.0; 2]);
         for _ in 0..self.patience() {
             let row = absolute(&power)[0];
             sum = [sum[0] + row[0], sum[1] + row[1]];
