@@ -270,8 +270,8 @@ impl<S: Carry> Body for Carried<S> {
 
     #[inline]
     fn swing(&mut self, from: Vec2<S>, by: [S::Coef; 4]) {
-        let (place, kept, z) = (self.place, self.kept(), self.beyond(from));
-        let [(x, u), (y, v)] = [0, 1].map(|axis| swung(place[axis], kept[axis], z[axis], by));
+        let ([x, y], [u, v], [zx, zy]) = (self.place, self.kept(), self.beyond(from));
+        let ((x, u), (y, v)) = (swung(x, u, zx, by), swung(y, v, zy, by));
         self.place = [x, y];
         self.set([u, v]);
     }

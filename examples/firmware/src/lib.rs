@@ -2,6 +2,7 @@
 //! scenes are those of the host's tests.
 #![no_std]
 
+pub mod chart;
 pub mod count;
 #[path = "../../../tests/firmware/every_exact.rs"]
 pub mod every_exact;
@@ -12,6 +13,8 @@ pub mod force_scene;
 pub mod print;
 #[path = "../../../tests/firmware/scene.rs"]
 pub mod scene;
+#[path = "../../charts/scenes.rs"]
+pub mod scenes;
 pub mod weigh;
 
 /// Defined nowhere: an image in which a panic is possible does not link.
