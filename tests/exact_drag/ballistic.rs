@@ -21,7 +21,7 @@
 use super::flight::{decay, flight};
 use super::{RATE, floats, grid};
 use crate::support::*;
-use fixstep::fixed::types::{I8F24, I12F20, I16F16};
+use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
     Ballistic, Body, Decay, Force, Method, PerBody, Point, SemiImplicitEuler, Step, Time,
 };
@@ -138,7 +138,6 @@ fn flights_are_exact_to_rounding() {
     check::<f64>();
     check::<f32>();
     check::<I16F16>();
-    check::<I12F20>();
     check::<I8F24>();
 }
 

@@ -21,7 +21,7 @@
 
 use super::{RATE, coefficients, floats, grid, parts};
 use crate::support::*;
-use fixstep::fixed::types::{I8F24, I12F20, I16F16};
+use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{Body, Carried, Decay, ExactDrag, Point, Step, World};
 
 /// Start `i` of 32: sixteen sizes from 2 units to `2^30`, in floats from `2^-15` to `2^14`; both signs.
@@ -130,7 +130,6 @@ fn points_decay_as_the_exponential() {
     check_point::<f32>();
     check_point::<f64>();
     check_point::<I16F16>();
-    check_point::<I12F20>();
     check_point::<I8F24>();
 }
 
@@ -161,6 +160,5 @@ fn carried_bodies_are_within_a_unit_of_the_exponential() {
     check_carried::<f32>();
     check_carried::<f64>();
     check_carried::<I16F16>();
-    check_carried::<I12F20>();
     check_carried::<I8F24>();
 }

@@ -13,7 +13,7 @@
 use super::flight::{Driven, flight};
 use super::{RATE, coefficients, grid, parts};
 use crate::support::*;
-use fixstep::fixed::types::{I8F24, I12F20, I16F16};
+use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{Anchor, Decay, ExactDrag, ExactQuadraticDrag, Force, GravityY, PerBody, Point};
 use fixstep::{Step, Time, Vec2};
 
@@ -48,7 +48,6 @@ fn terminal_speeds_are_those_of_the_splitting() {
     check_terminal::<f64>();
     check_terminal::<f32>();
     check_terminal::<I16F16>();
-    check_terminal::<I12F20>();
     check_terminal::<I8F24>();
 }
 

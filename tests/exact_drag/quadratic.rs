@@ -17,7 +17,7 @@
 
 use super::{RATE, coefficients, floats, grid, parts};
 use crate::support::*;
-use fixstep::fixed::types::{I8F24, I12F20, I16F16};
+use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
     Body, Carried, Decay, ExactQuadraticDrag, Point, QuadraticDrag, Scalar, SemiImplicitEuler,
     Step, World,
@@ -126,7 +126,6 @@ fn points_follow_the_hyperbola() {
     check_point::<f32>();
     check_point::<f64>();
     check_point::<I16F16>();
-    check_point::<I12F20>();
     check_point::<I8F24>();
 }
 
@@ -157,7 +156,6 @@ fn carried_bodies_are_within_a_unit_of_the_hyperbola() {
     check_carried::<f32>();
     check_carried::<f64>();
     check_carried::<I16F16>();
-    check_carried::<I12F20>();
     check_carried::<I8F24>();
 }
 
@@ -186,8 +184,6 @@ fn check_explicit<S: Format>() {
 #[test]
 fn the_explicit_force_leaves_the_range_where_the_exact_one_is_sane() {
     check_explicit::<f32>();
-    check_explicit::<f64>();
     check_explicit::<I16F16>();
-    check_explicit::<I12F20>();
     check_explicit::<I8F24>();
 }

@@ -1,6 +1,6 @@
 //! Every force that goes back, in every kind of list.
 
-use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
+use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
     AllBodies, AllPairs, Anchor, Exact, Gravity, GravityY, Pairs, Pefrl, PerBody, PositionOnly,
     Push, Spring, Time, Vec2, Window, heapless,
@@ -105,16 +105,6 @@ fn i16f16_returns() {
 #[test]
 fn i8f24_returns() {
     every_way!(returns::<I8F24>, 5);
-}
-
-#[test]
-fn i12f20_returns() {
-    every_way!(returns::<I12F20>, 9);
-}
-
-#[test]
-fn i20f12_returns() {
-    every_way!(returns::<I20F12>, 13);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Any bytes at all: nothing panics, and what is accepted is a world that can be stepped. Random
 //! strings stop at the first four bytes, so others have their checksum made good.
 
-use fixstep::fixed::types::{I8F24, I16F16, I32F32};
+use fixstep::fixed::types::{I16F16, I32F32};
 use fixstep::{Body, Factor, Force, Point, Saved, SnapshotError, Step, Stored};
 
 use super::bytes::{self, HEADER, ID, Kept, Random, body, length, put, seal};
@@ -9,9 +9,9 @@ use super::samples::saved;
 use super::scenes::{ROOM, Scene, flight, stars, start, tied};
 use crate::support::SCHEMES;
 
-const SPELLS: usize = 200_000;
-const MUTANTS: usize = 60_000;
-const FORGERIES: usize = 60_000;
+const SPELLS: usize = 340_000;
+const MUTANTS: usize = 100_000;
+const FORGERIES: usize = 100_000;
 /// Of so many accepted worlds one is stepped.
 const EVERY: usize = 5;
 
@@ -94,7 +94,7 @@ fn go_on<S: Kept, F: Force<Point<S>>>(
     tally.stepped += 1;
 }
 
-fn every_scalar(seed: u64, what: &str, test: [fn(&mut Random, &mut Tally); 5]) -> Tally {
+fn every_scalar(seed: u64, what: &str, test: [fn(&mut Random, &mut Tally); 3]) -> Tally {
     let (mut random, mut tally) = (Random(seed), Tally::default());
     for test in test {
         test(&mut random, &mut tally);
@@ -112,17 +112,11 @@ fn spells<S: Kept>(random: &mut Random, tally: &mut Tally) {
 
 #[test]
 fn a_million_random_strings() {
-    let scalars = [
-        spells::<f32>,
-        spells::<f64>,
-        spells::<I16F16>,
-        spells::<I8F24>,
-        spells::<I32F32>,
-    ];
+    let scalars = [spells::<f32>, spells::<I16F16>, spells::<I32F32>];
     let tally = every_scalar(0x5EED, "random strings", scalars);
     assert_eq!(
         tally.accepted + tally.refused.iter().sum::<usize>(),
-        5 * SPELLS
+        3 * SPELLS
     );
 }
 
@@ -144,13 +138,7 @@ fn mutants<S: Kept>(random: &mut Random, tally: &mut Tally) {
 
 #[test]
 fn mutants_with_a_good_checksum() {
-    let scalars = [
-        mutants::<f32>,
-        mutants::<f64>,
-        mutants::<I16F16>,
-        mutants::<I8F24>,
-        mutants::<I32F32>,
-    ];
+    let scalars = [mutants::<f32>, mutants::<I16F16>, mutants::<I32F32>];
     let tally = every_scalar(0x3117, "mutants", scalars);
     assert!(tally.accepted >= 20_000 && tally.stepped >= 4_000);
     assert!(tally.refused[7] >= 20_000, "states: {:?}", tally.refused);
@@ -204,13 +192,7 @@ fn forgeries<S: Kept>(random: &mut Random, tally: &mut Tally) {
 
 #[test]
 fn forgeries_reach_every_check() {
-    let scalars = [
-        forgeries::<f32>,
-        forgeries::<f64>,
-        forgeries::<I16F16>,
-        forgeries::<I8F24>,
-        forgeries::<I32F32>,
-    ];
+    let scalars = [forgeries::<f32>, forgeries::<I16F16>, forgeries::<I32F32>];
     let tally = every_scalar(0xF06E, "forgeries", scalars);
     assert!(tally.accepted >= 20_000 && tally.stepped >= 4_000);
     // Magic, version and checksum are right by design.
