@@ -13,6 +13,8 @@ mod exchange;
 mod fall;
 #[path = "carry/floats.rs"]
 mod floats;
+#[path = "carry/flows.rs"]
+mod flows;
 #[path = "carry/momentum.rs"]
 mod momentum;
 #[path = "carry/range.rs"]

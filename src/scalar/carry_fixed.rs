@@ -54,7 +54,8 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     #[inline]
     fn beyond(place: i64, from: Self) -> (Self, i16) {
         let seen = Self::seen(place);
-        let rest = place.wrapping_sub(seen.place()) >> (32 - FINE);
+        // Half a unit at most, but at the end of the range.
+        let rest = rounded(place.wrapping_sub(seen.place()), 32 - FINE);
         (seen.minus(from), rest.min(1 << (FINE - 1)) as i16)
     }
 

@@ -20,7 +20,7 @@ const ENDS: [i32; 9] = [
 ];
 
 /// A number of any size, often an end.
-fn number(random: &mut Random) -> i32 {
+pub fn number(random: &mut Random) -> i32 {
     let word = random.next();
     match word % 4 {
         0 => ENDS[(word >> 8) as usize % ENDS.len()],
@@ -28,7 +28,7 @@ fn number(random: &mut Random) -> i32 {
     }
 }
 
-fn rest(random: &mut Random) -> i16 {
+pub fn rest(random: &mut Random) -> i16 {
     let half = 1 << (FINE - 1);
     match random.next() % 4 {
         0 => [-half, -1, 0, 1, half][(random.next() % 5) as usize] as i16,
@@ -37,7 +37,7 @@ fn rest(random: &mut Random) -> i16 {
 }
 
 /// Coefficients from `2^-31` to `2^30`, some of them powers of two.
-fn factor<S: Fine>(random: &mut Random) -> S::Coef {
+pub fn factor<S: Fine>(random: &mut Random) -> S::Coef {
     let exponent = (random.next() % 61) as i32 - 31;
     let mantissa = match random.next() % 4 {
         0 => 1.0,
