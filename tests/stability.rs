@@ -5,6 +5,8 @@
 
 #[path = "stability/drag.rs"]
 mod drag;
+#[path = "stability/drag_cell.rs"]
+mod drag_cell;
 #[path = "stability/drag_map.rs"]
 mod drag_map;
 #[path = "stability/edge.rs"]
@@ -15,6 +17,8 @@ mod exact;
 mod law;
 #[path = "stability/map.rs"]
 mod map;
+#[path = "stability/run.rs"]
+mod run;
 #[path = "stability/scene.rs"]
 mod scene;
 mod support;
@@ -67,4 +71,9 @@ fn drag_alone_in_floats() {
 fn drag_alone_in_fixed_point() {
     drag_map::check::<I16F16>();
     drag_map::check::<I8F24>();
+}
+
+#[test]
+fn limits_of_drag_alone() {
+    drag_map::check_limits();
 }

@@ -22,17 +22,22 @@ pub type Drawn<T = ()> = Result<T, Box<dyn Error>>;
 
 /// Draws with `draw` and writes a PNG.
 pub fn save(path: &Path, draw: impl FnOnce(&Area) -> Drawn) -> Drawn {
+    save_sized(path, SIZE, draw)
+}
+
+/// As [`save`], of another size.
+pub fn save_sized(path: &Path, size: (i32, i32), draw: impl FnOnce(&Area) -> Drawn) -> Drawn {
     register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
         .map_err(|_| "the font cannot be read")?;
-    let (size, fine) = (pair(SIZE.0, SIZE.1), pair(px(SIZE.0), px(SIZE.1)));
+    let (pixels, fine) = (pair(size.0, size.1), pair(px(size.0), px(size.1)));
     let mut large = vec![0; (fine.0 * fine.1) as usize * RGB];
     let area = BitMapBackend::with_buffer(&mut large, fine).into_drawing_area();
     area.fill(&WHITE)?;
     draw(&area)?;
     area.present()?;
     drop(area);
-    let mut small = BitMapBackend::new(path, size);
-    small.blit_bitmap((0, 0), size, &averaged(&large))?;
+    let mut small = BitMapBackend::new(path, pixels);
+    small.blit_bitmap((0, 0), pixels, &averaged(&large, size))?;
     Ok(small.present()?)
 }
 
@@ -41,8 +46,8 @@ fn pair(width: i32, height: i32) -> (u32, u32) {
 }
 
 /// Each pixel the mean of a square of `FINE * FINE`.
-fn averaged(large: &[u8]) -> Vec<u8> {
-    let [width, height, fine] = [SIZE.0, SIZE.1, FINE].map(|length| length as usize);
+fn averaged(large: &[u8], size: (i32, i32)) -> Vec<u8> {
+    let [width, height, fine] = [size.0, size.1, FINE].map(|length| length as usize);
     let mean = |i: usize| {
         let (channel, x, y) = (i % RGB, i / RGB % width, i / RGB / width);
         let row = |dy| ((y * fine + dy) * width + x) * fine;

@@ -46,7 +46,7 @@ impl Row {
         Row {
             name,
             law: Law::new(setup, &lengths, noise),
-            found: run::<B>(setup, &lengths, COUNTS.len()),
+            found: run::<B>(setup, &lengths, &COUNTS),
         }
     }
 
@@ -229,7 +229,7 @@ fn the_reference_is_six_digits_finer() {
     let row = Row {
         name: "f64 beside I8F56".into(),
         law: Law::new(setup, &lengths, noise::point::<f64>),
-        found: run::<Point<FixedI64<U56>>>(setup, &lengths, 5),
+        found: run::<Point<FixedI64<U56>>>(setup, &lengths, &COUNTS[..5]),
     };
     for (count, errors) in row.found.iter().enumerate().skip(2) {
         let ahead = row.share(count, &errors.ahead, |i, n| row.law.ahead(i, n));

@@ -12,7 +12,7 @@
 
 use fixstep::{Force, Point, World};
 
-use crate::scene::*;
+use super::scene::*;
 use crate::support::*;
 
 /// The speed of all bodies, 1/1024 of the range and a power of two: a coasting body stays inside it,

@@ -15,7 +15,8 @@ use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{ExactSpring, Method, Point, SemiImplicitEuler, Vec2, Verlet, World};
 
 use crate::law::Drag;
-use crate::map::{ZETAS, columns};
+use crate::map::ZETAS;
+use crate::run::columns;
 use crate::scene::*;
 use crate::support::*;
 

@@ -3,7 +3,7 @@
 use fixstep::scalar::Decay;
 use fixstep::{Anchor, ExactDrag, Point, Step, Vec2, World};
 
-use crate::law::Drag;
+use super::law::Drag;
 use crate::support::*;
 
 /// Steps a second, so that ω = 8 q: positions and velocities have numbers of the same size.

@@ -1,0 +1,43 @@
+//! Whether an error can be told at all: how far the scene itself spreads a small change.
+//!
+//! A change dv of a velocity moves a free body by `dv T` in the time T. Springs and drags spread it less, an
+//! orbit about three times as far. A scene that spreads it far more than free motion stretches each
+//! rounding on its way too, and most along one direction: which way the first roundings went then
+//! decides the end, and no median speaks for a single run. From [`TOO_FAR`] on no error is stated. Of 400
+//! scenes drawn as in the tests one in fifteen is such a scene, nearly all of them close pulls or three
+//! bodies on springs.
+
+use fixstep::{Body, Error, Force, Step, Vec2, World};
+
+use crate::flight::{Plan, Track};
+use crate::noted::Noted;
+use crate::recorded::Recorded;
+
+/// The spread from which on the error is anyone's guess.
+pub const TOO_FAR: f64 = 32.0;
+
+/// How many times as far as free motion the scene spreads a change of any velocity, `change` m/s.
+pub fn spread<F: Force<Noted>, const N: usize>(
+    build: &impl Fn(&mut World<Noted, N>) -> Result<F, Error>,
+    plan: &Plan,
+    change: f64,
+) -> Result<f64, Error> {
+    let fly = |place: usize, dv: Vec2<f64>| -> Result<(Track, usize), Error> {
+        let mut world = World::new();
+        let mut forces = build(&mut world)?;
+        if let Some((_, body)) = world.iter_mut().nth(place) {
+            body.kick(dv.map(Recorded));
+        }
+        let track = plan.fly(&mut world, &mut forces, &Step::hz(plan.rate)?)?;
+        Ok((track, world.len()))
+    };
+    let (unchanged, bodies) = fly(0, Vec2::new(0.0, 0.0))?;
+    let mut most = 0.0_f64;
+    for place in 0..bodies {
+        for dv in [Vec2::new(change, 0.0), Vec2::new(0.0, change)] {
+            let (changed, _) = fly(place, dv)?;
+            most = most.max(plan.apart(&changed, &unchanged));
+        }
+    }
+    Ok(most / (change * plan.seconds))
+}
