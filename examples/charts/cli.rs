@@ -9,6 +9,9 @@ use crate::table::Effort;
 /// Where the committed charts are.
 pub const HOME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/charts");
 
+/// Where those of a quick run go.
+const QUICK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/target/charts");
+
 /// Makes every chart of the project: a PNG and the CSV that it is drawn from.
 #[derive(Debug, Parser)]
 #[command(name = "charts", max_term_width = 100)]
@@ -21,7 +24,7 @@ pub struct Options {
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
 
-    /// Folder for pictures and CSV files [default: examples/charts]
+    /// Folder for pictures and CSV files [default: examples/charts, of a quick run target/charts]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -29,14 +32,10 @@ pub struct Options {
 impl Options {
     /// Reads the command line; prints help where it was asked for. The error is one line.
     pub fn read() -> Result<Options, String> {
-        let options = Options::try_parse().map_err(|error| match error.use_stderr() {
+        Options::try_parse().map_err(|error| match error.use_stderr() {
             true => one_line(&error.to_string()),
             false => error.exit(),
-        })?;
-        if options.quick && !options.check && options.out.is_none() {
-            return Err("--quick makes a part of the rows: name an --out, or --check".into());
-        }
-        Ok(options)
+        })
     }
 
     pub fn effort(&self) -> Effort {
@@ -47,7 +46,9 @@ impl Options {
     }
 
     pub fn folder(&self) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| HOME.into())
+        // What is committed has all rows.
+        let home = if self.quick { QUICK } else { HOME };
+        self.out.clone().unwrap_or_else(|| home.into())
     }
 }
 

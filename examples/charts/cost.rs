@@ -63,7 +63,7 @@ impl Costs {
         Costs(figures.collect())
     }
 
-    /// Of a run of a scene on a core. Nothing in a step depends on its length: it is counted at 60 Hz.
+    /// Of a run of a scene on a core. Nothing in a `Step` depends on its length: it is counted at 60 Hz.
     pub fn get(&self, core: Core, scene: &str, run: [&str; 3]) -> Result<f64, String> {
         let [method, forces, body] = run;
         let target = core.target();

@@ -83,8 +83,8 @@ impl Row {
         })
     }
 
-    /// Instructions per body and simulated second. A step is counted at 60 Hz; nothing in it depends on
-    /// the rate.
+    /// Instructions per body and simulated second. A step is counted at 60 Hz; nothing in a `Step`
+    /// depends on its rate.
     pub fn work(&self, core: Core) -> f64 {
         self.costs[core as usize] * f64::from(self.rate)
     }
@@ -104,7 +104,7 @@ impl Row {
 
 /// The error that a part of all starts does not exceed, between two of them on the straight line; NaN
 /// counts as infinite.
-fn quantile(errors: &[f64], part: f64) -> f64 {
+pub fn quantile(errors: &[f64], part: f64) -> f64 {
     let known = |error: &f64| {
         if error.is_nan() {
             f64::INFINITY

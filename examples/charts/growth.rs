@@ -18,6 +18,7 @@ use fixstep::{Carried, Point};
 use indicatif::ProgressBar;
 
 use crate::canvas::Drawn;
+use crate::figures::quantile;
 use crate::table::{Effort, Table};
 use scenes::{Counts, Kind};
 
@@ -84,10 +85,8 @@ pub fn make(effort: Effort, progress: &ProgressBar) -> Table {
 }
 
 /// The median of the starts, and between what nine tenths of them lie.
-fn row(scene: &str, body: &str, steps: u32, mut errors: Vec<f64>) -> Vec<String> {
-    errors.sort_by(f64::total_cmp);
-    let last = (errors.len() - 1) as f64;
-    let at = |share: f64| format!("{:.2e}", errors[(share * last).round() as usize]);
+fn row(scene: &str, body: &str, steps: u32, errors: Vec<f64>) -> Vec<String> {
+    let at = |share: f64| format!("{:.2e}", quantile(&errors, share));
     let mut row = vec![scene.into(), body.into(), steps.to_string()];
     row.extend([0.05, 0.5, 0.95].map(at));
     row

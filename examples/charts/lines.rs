@@ -6,14 +6,14 @@ use crate::pareto::{Point, front};
 
 pub struct Line<'a> {
     pub name: [&'a str; 3],
-    /// The rows that did not fail, and where they are.
+    /// The rows whose median did not fail, and where they are.
     pub rows: Vec<&'a Row>,
     pub points: Vec<Point>,
     /// The points that are on the front.
     pub front: Vec<Point>,
     /// Whether there is one.
     pub first: bool,
-    /// Work of the rows whose median failed.
+    /// Work of the rows of which a start or more failed.
     pub failed: Vec<f64>,
 }
 
@@ -42,13 +42,11 @@ pub fn lines<'a>(core: Core, size: f64, rows: &'a [Row]) -> Vec<Line<'a>> {
             lines.len() - 1
         });
         let line = &mut lines[place];
-        match point.1.is_finite() {
-            true => {
-                line.rows.push(row);
-                line.points.push(*point);
-            }
-            false => line.failed.push(point.0),
+        if point.1.is_finite() {
+            line.rows.push(row);
+            line.points.push(*point);
         }
+        line.failed.extend((row.failed > 0).then_some(point.0));
         line.first |= on;
         line.front.extend(on.then_some(*point));
     }

@@ -216,10 +216,12 @@ impl<'a> Panel<'a> {
         }
         let size = self.plan.size;
         let text = match failed.is_empty() {
-            true => format!("No run left its range, or was wrong by more than {size} m"),
+            true => format!("No start left its range, or was wrong by more than {size} m"),
             false => {
                 let who = failed.join(", ");
-                format!("\u{00d7} left its range, or wrong by more than {size} m: {who}")
+                format!(
+                    "\u{00d7} some start left its range, or is wrong by more than {size} m: {who}"
+                )
             }
         };
         let text = text + ". Dotted: the least median of each body.";

@@ -18,7 +18,7 @@ pub type Acceleration = dyn Fn(&[[f64; 2]], &[[f64; 2]]) -> Vec<[f64; 2]>;
 
 /// Substeps of the columns.
 const COLUMNS: [u32; 8] = [2, 4, 6, 8, 10, 12, 14, 16];
-/// Intervals between two looks: half of them give the same places to 1e-12 m, which a test holds.
+/// Intervals between two looks: twice as many give the same places to 1e-10 m, which a test holds.
 const INTERVALS: u32 = 4;
 
 /// Places at the start and at `looks` ticks of `1/rate` s.

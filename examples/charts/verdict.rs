@@ -10,40 +10,49 @@ use crate::table::Table;
 /// Steps a second.
 const RATE: u32 = 60;
 
-/// What the guide recommends for a scene on a core: method, forces, body. Drag and springs that hold one
-/// body are solved exactly; an exact spring goes with any method, and is measured with the simplest.
-pub fn recommended(scene: &str, core: Core) -> [&'static str; 3] {
-    let [method, forces] = match scene {
-        "spring" => ["SemiImplicitEuler", "ExactSpring"],
-        "projectile" => ["Verlet", "ExactDrag"],
-        "quadratic" => ["Verlet", "ExactQuadraticDrag"],
-        "pair" => ["Verlet", "Spring"],
-        _ => ["Verlet", "Pull"],
+/// What the guide recommends for a scene: the default method, and what it names for just this scene.
+pub fn recommended(scene: &str, core: Core) -> [[&'static str; 3]; 2] {
+    let lines = match scene {
+        "spring" => [["Verlet", "Anchor"], ["SemiImplicitEuler", "ExactSpring"]],
+        "projectile" => [["Verlet", "ExactDrag"], ["SemiImplicitEuler", "Ballistic"]],
+        "quadratic" => [["Verlet", "ExactQuadraticDrag"]; 2],
+        "pair" => [["Verlet", "Spring"], ["SemiImplicitEuler", "ExactPair"]],
+        _ => [["Verlet", "Pull"], ["Pefrl", "Pull"]],
     };
     // All scenes fit a table-top.
-    match core {
-        Core::M0Plus => [method, forces, "I8F24"],
-        Core::M4F => [method, forces, "f32"],
-    }
+    let body = match core {
+        Core::M0Plus => "I8F24",
+        Core::M4F => "f32",
+    };
+    lines.map(|[method, forces]| [method, forces, body])
 }
 
-/// Lines on the front at 60 Hz, from cheap to dear; and lines that are as cheap as the recommended one and as
-/// good.
-pub fn at_60_hz<'a>(core: Core, scene: &str, size: f64, rows: &'a [Row]) -> [Vec<[&'a str; 3]>; 2] {
+/// The lines of a chart at 60 Hz.
+pub struct At60<'a> {
+    /// On the front, from cheap to dear.
+    pub front: Vec<[&'a str; 3]>,
+    /// Of each recommended line, what is as cheap and as good; nothing where it is on the front.
+    pub before: [Vec<[&'a str; 3]>; 2],
+}
+
+/// What is on the front, and what stands before the recommended lines.
+pub fn at_60_hz<'a>(core: Core, scene: &str, size: f64, rows: &'a [Row]) -> At60<'a> {
     let mut rows: Vec<&Row> = rows.iter().filter(|row| row.rate == RATE).collect();
     rows.sort_by(|a, b| a.work(core).total_cmp(&b.work(core)));
     let points: Vec<_> = rows.iter().map(|row| row.point(core, size)).collect();
     let on = front(&points);
-    let is = |row: &&Row| row.line() == recommended(scene, core);
-    let ours = rows.iter().position(is).map(|i| points[i]);
     let names = |keep: &dyn Fn(usize) -> bool| {
         let kept = (0..rows.len()).filter(|&i| keep(i));
         kept.map(|i| rows[i].line()).collect()
     };
-    [
-        names(&|i| on[i]),
-        names(&|i| ours.is_some_and(|ours| beats(&points[i], &ours))),
-    ]
+    let before = recommended(scene, core).map(|name| {
+        let ours = rows.iter().position(|row| row.line() == name);
+        names(&|i| ours.is_some_and(|ours| beats(&points[i], &points[ours])))
+    });
+    At60 {
+        front: names(&|i| on[i]),
+        before,
+    }
 }
 
 /// Of a table of work and precision, on all cores.
@@ -57,23 +66,24 @@ pub fn all(table: &Table) -> Result<String, String> {
         .concat())
 }
 
-/// Two lines for a scene and a core.
+/// Three lines for a scene and a core.
 fn text(core: Core, scene: &str, size: f64, rows: &[Row]) -> String {
-    let [front, before] = at_60_hz(core, scene, size, rows);
+    let At60 { front, before } = at_60_hz(core, scene, size, rows);
     let joined = |names: &[[&str; 3]]| {
-        names
-            .iter()
-            .map(|name| name.join(" "))
-            .collect::<Vec<_>>()
-            .join(", ")
+        let names = names.iter().map(|name| name.join(" "));
+        names.collect::<Vec<_>>().join(", ")
     };
-    let stands = match before.is_empty() {
-        true => "on it".to_string(),
-        false => format!("behind {}", joined(&before)),
-    };
-    let (core_name, ours) = (core.name(), recommended(scene, core).join(" "));
-    format!(
-        "{scene}, {core_name}, front at 60 Hz: {}\n  recommended {ours}: {stands}\n",
+    let mut text = format!(
+        "{scene}, {}, front at 60 Hz: {}\n",
+        core.name(),
         joined(&front)
-    )
+    );
+    for (name, before) in recommended(scene, core).iter().zip(&before) {
+        let stands = match before.is_empty() {
+            true => "on it".to_string(),
+            false => format!("behind {}", joined(before)),
+        };
+        text += &format!("  recommended {}: {stands}\n", name.join(" "));
+    }
+    text
 }

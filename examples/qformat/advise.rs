@@ -83,7 +83,7 @@ pub struct Advice {
 impl Advice {
     /// What saturates first: in the next finer type, or, if that is only tight, the furthest state.
     pub fn first(&self) -> Option<Role> {
-        let is_next = |format: &&Format| Some(format.fraction - 1) == self.best.map(|b| b.fraction);
+        let is_next = |format: &&Format| Some(format.fraction) == self.best.map(|b| b.fraction + 1);
         match self.formats.iter().find(is_next)?.verdict {
             Verdict::Saturates(role) => Some(role),
             _ => Some(self.notes.widest_held().0),

@@ -26,11 +26,11 @@ pub struct Options {
     pub hz: Ratio,
 
     /// Simulated seconds. Each scene has its own by default
-    #[arg(long, value_name = "TIME", value_parser = positive)]
+    #[arg(long, value_name = "TIME", value_parser = seconds)]
     pub seconds: Option<f64>,
 
     /// Bits of range to leave free, for scenes that are played differently
-    #[arg(long, value_name = "BITS", default_value = "0", value_parser = not_negative)]
+    #[arg(long, value_name = "BITS", default_value = "0", value_parser = headroom)]
     pub headroom: f64,
 
     /// What makes the steps
@@ -74,6 +74,10 @@ fn named(text: &str) -> Result<&'static Scene, String> {
 
 fn rate(text: &str) -> Result<Ratio, String> {
     let rate = Ratio::parse(text).map_err(|_| "not a plain decimal".to_string())?;
+    // A second of places is kept.
+    if rate.to_f64() > 1e5 {
+        return Err("more than 10^5 Hz".to_string());
+    }
     Step::<I16F16>::hz(rate).map_err(|error| error.to_string())?;
     Ok(rate)
 }
@@ -82,6 +86,21 @@ fn positive(text: &str) -> Result<f64, String> {
     not_negative(text).and_then(|value| match value {
         0.0 => Err("not greater than zero".to_string()),
         value => Ok(value),
+    })
+}
+
+/// The scene is flown some fifty times.
+fn seconds(text: &str) -> Result<f64, String> {
+    positive(text).and_then(|seconds| match seconds {
+        seconds if seconds <= 1e6 => Ok(seconds),
+        _ => Err("more than 10^6 s".to_string()),
+    })
+}
+
+fn headroom(text: &str) -> Result<f64, String> {
+    not_negative(text).and_then(|bits| match bits {
+        bits if bits <= 16.0 => Ok(bits),
+        _ => Err("more than 16 bits".to_string()),
     })
 }
 

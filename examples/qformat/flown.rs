@@ -127,7 +127,11 @@ impl<'a, G> Flown<'a, G> {
             }
         }
         errors.sort_by(f64::total_cmp);
-        let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
+        let middle = errors.len() / 2;
+        let (median, worst) = (
+            0.5 * (errors[middle - 1] + errors[middle]),
+            errors[errors.len() - 1],
+        );
         Ok((Expected { median, worst }, widest))
     }
 }

@@ -60,7 +60,7 @@ macro_rules! factor {
     };
 }
 
-/// Whether a 32-bit mantissa with its shift holds that: from half of `2^-32` it is rounded up.
+/// Whether a 32-bit mantissa with its shift holds that: from `2^-32` on.
 fn holds(value: f64) -> bool {
     let (least, limit) = ((-32.0_f64).exp2(), (30.0_f64).exp2());
     value == 0.0 || (least..limit).contains(&value.abs())

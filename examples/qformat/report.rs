@@ -141,7 +141,7 @@ fn rate(advice: &Advice, shift: u32, error: f64) -> String {
     let ([before, after], [fast, faster]) = (per_second(0).into(), per_second(1).into());
     let _ = writeln!(
         text,
-        "instructions a body and second\n\
+        "instructions a body and second, gravity alone:\n\
          \x20                  M0+ {before:.0} -> {after:.0}, M4F {fast:.0} -> {faster:.0}; \
          take it on a core without long multiply"
     );

@@ -86,8 +86,8 @@ impl<S: Scalar> ExactSpring<S> {
     /// A drag beside it takes its part of gravity's kick, which the spring takes back whole: under an
     /// [`ExactDrag`](crate::ExactDrag) of `x = k h / m` the body hangs x of its sag higher, half of that by
     /// [`Verlet`](crate::Verlet). Give the spring its damping instead. A [`Point`](crate::Point) comes
-    /// to rest within its dead zone of that place, a [`Carried`](crate::Carried) body within two
-    /// units.
+    /// to rest within its dead zone of that place, a [`Carried`](crate::Carried) body within a
+    /// unit, in floats two.
     pub fn under(self, acceleration: Vec2<S>) -> Result<ExactSpring<S>, Error> {
         let (field, value) = ("hertz", self.swing.hertz);
         let error = Error::OutOfRange { field, value };

@@ -26,7 +26,8 @@ pub trait Carry: Scalar {
     #[must_use]
     fn seen(place: Self::Place) -> Self;
 
-    /// `place - from`, with as much of its remainder as one of a velocity holds.
+    /// `place - from`, with as much of the remainder of the place as one of a velocity holds; a float rounds
+    /// the difference.
     #[must_use]
     fn beyond(place: Self::Place, from: Self) -> (Self, Self::Rest);
 

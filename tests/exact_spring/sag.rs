@@ -80,9 +80,9 @@ fn a_spring_under_gravity_hangs_where_it_should() {
     check::<I8F24>();
 }
 
-/// Two units of the largest number on the way: half of one as the point of rest is rounded, half as the
-/// place of the body is. Its remainders are seen to `2^-15` of a unit, so that what they leave is small
-/// beside it; floats round the sag's product and sum.
+/// A unit: half of one as the point of rest is rounded, half as the place of the body is. Its remainders are
+/// seen to `2^-15` of a unit; the dead zone of a point, `2 ζ/q + 1/2 + 1/(ω q)` units at most 150 here, is
+/// that much smaller: 0.01 more. Floats round the product and the sum of the sag as well: two.
 fn check_carried<S: Format + Carry>() {
     let step = Step::<S>::hz(60).unwrap();
     let dyadic = DyadicStep::<S, 1, 6>::new().unwrap();
@@ -91,7 +91,11 @@ fn check_carried<S: Format + Carry>() {
             let allowed = |case: &Case<S>, k: usize| {
                 let sag = case.rest[k] - POINT[k];
                 let unit = S::unit(sag.abs().max(POINT[k]));
-                2.0 * unit
+                if is_fixed::<S>() {
+                    1.01 * unit
+                } else {
+                    2.0 * unit
+                }
             };
             let mut errors = parts::<S, Carried<S>>(scheme, zeta, &step, allowed, |_, _| ());
             errors.extend(parts::<S, Carried<S>>(
@@ -107,7 +111,7 @@ fn check_carried<S: Format + Carry>() {
 }
 
 #[test]
-fn a_body_that_keeps_remainders_hangs_within_two_units() {
+fn a_body_that_keeps_remainders_hangs_within_a_unit() {
     check_carried::<f64>();
     check_carried::<f32>();
     check_carried::<I16F16>();
