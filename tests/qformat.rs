@@ -118,8 +118,8 @@ fn the_next_finer_type_saturates() {
     assert!(unseen.is_empty(), "{unseen:?}");
 }
 
-// A median speaks for a single run up to chance: of an error with one direction one run in thirty is less
-// than a tenth of the median, of two directions one in a hundred. The largest over a second is luckier.
+// A median speaks for a single run up to chance: of a normal error with one direction one run in nineteen is
+// less than a tenth of the median, of two directions one in 145. The largest over a second is luckier.
 #[test]
 fn the_expected_error_is_the_measured_one() {
     let told = cases().iter().filter(|case| !case.advice.is_sensitive());
