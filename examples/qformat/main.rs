@@ -14,7 +14,7 @@
 //! }
 //!
 //! let question = Question {
-//!     plan: Plan { method: Scheme::Verlet, rate: dec!(60), seconds: 60.0, circle: None },
+//!     plan: Plan { method: Scheme::Verlet, rate: dec!(60), seconds: 4.0, circle: None },
 //!     bears: 1e-3,
 //!     headroom: 0.5,
 //!     beside: USUAL,
