@@ -29,7 +29,7 @@ impl Labels {
         }
     }
 
-    /// Writes `text` above or below the first of `places` where there is room; nowhere if there is none.
+    /// Writes `text` above or below the first of `places` where there is room; false if there is none.
     pub fn write(
         &mut self,
         area: &Area,
@@ -41,14 +41,19 @@ impl Labels {
         let (width, height) = area.estimate_text_size(text, &style)?;
         let (width, height) = (width as i32, height as i32);
         let [left, top, right, bottom] = self.room;
-        let around =
-            |&(x, y): &(i32, i32)| [(x - width / 2, y - px(12)), (x - width / 2, y + px(12))];
-        for (x, y) in places.iter().flat_map(around) {
-            let taken = [x, y - height / 2, x + width, y + height / 2];
+        // Close by if it can be, up to three lines off.
+        let far = [-12, 12, -24, 24, -36, 36];
+        let around = far.iter().flat_map(|dy| {
+            let left = move |&(x, y): &(i32, i32)| (x - width / 2, y + px(*dy));
+            places.iter().map(left)
+        });
+        for (x, y) in around {
+            let gap = px(4);
+            let taken = [x - gap, y - height / 2, x + width + gap, y + height / 2];
             let inside = x > left && taken[2] < right && taken[1] > top && taken[3] < bottom;
             if inside && !self.taken.iter().any(|other| meets(other, &taken)) {
                 self.taken.push(taken);
-                let back = [(x, taken[1] + px(2)), (taken[2], taken[3] - px(2))];
+                let back = [(x, taken[1] + px(2)), (x + width, taken[3] - px(2))];
                 area.draw(&Rectangle::new(back, WHITE.mix(0.8).filled()))?;
                 area.draw_text(text, &style, (x, y + px(2)))?;
                 return Ok(true);

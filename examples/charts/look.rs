@@ -7,6 +7,8 @@ use crate::canvas::{Area, Drawn, line, px};
 
 pub const GREY: RGBColor = RGBColor(208, 208, 208);
 pub const DARK: RGBColor = RGBColor(120, 120, 120);
+/// Of names beside grey lines.
+pub const NAMES: RGBColor = RGBColor(80, 80, 80);
 
 /// In fine pixels.
 pub type At = (i32, i32);

@@ -17,7 +17,7 @@ use crate::frame::Frame;
 use crate::head::{self, BODIES};
 use crate::labels::Labels;
 use crate::lines::{Line, lines};
-use crate::look::{At, DARK, GREY, Look};
+use crate::look::{At, DARK, GREY, Look, NAMES};
 use crate::pareto::{Point, stairs};
 use crate::starts::Plan;
 use crate::table::Table;
@@ -189,7 +189,9 @@ impl<'a> Panel<'a> {
                 let same = self.lines.iter().filter(|line| line.kind() == kind);
                 let mut places: Vec<At> = same.flat_map(|line| self.places(line)).collect();
                 places.sort_unstable();
-                labels.write(area, &kind.join(", "), (TEXT - 3, DARK), &places)?;
+                if !labels.write(area, &kind.join(", "), (TEXT - 3, NAMES), &places)? {
+                    return Err(format!("no room for the name of {}", kind.join(", ")).into());
+                }
             }
         }
         Ok(())
