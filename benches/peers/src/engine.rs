@@ -38,12 +38,13 @@ pub trait Scene {
 
 /// Every engine, in the order of the table.
 pub fn all() -> Vec<Box<dyn Engine>> {
-    let mut engines: Vec<Box<dyn Engine>> = Vec::new();
     #[cfg(feature = "engines")]
-    {
+    let mut engines: Vec<Box<dyn Engine>> = {
         use crate::{box2d_2::Box2d2, box2d_3::Box2d3, rapier::Rapier};
-        engines = vec![Box::new(Rapier), Box::new(Box2d3), Box::new(Box2d2)];
-    }
+        vec![Box::new(Rapier), Box::new(Box2d3), Box::new(Box2d2)]
+    };
+    #[cfg(not(feature = "engines"))]
+    let mut engines: Vec<Box<dyn Engine>> = Vec::new();
     engines.extend(crate::fixstep::all());
     engines
 }
