@@ -11,20 +11,21 @@ use crate::table::Table;
 const RATE: u32 = 60;
 
 /// What the guide recommends for a scene: the default method, and what it names for just this scene.
-pub fn recommended(scene: &str, core: Core) -> [[&'static str; 3]; 2] {
+pub fn recommended(scene: &str, core: Core) -> Vec<[&'static str; 3]> {
     let lines = match scene {
-        "spring" => [["Verlet", "Anchor"], ["SemiImplicitEuler", "ExactSpring"]],
-        "projectile" => [["Verlet", "ExactDrag"], ["SemiImplicitEuler", "Ballistic"]],
-        "quadratic" => [["Verlet", "ExactQuadraticDrag"]; 2],
-        "pair" => [["Verlet", "Spring"], ["SemiImplicitEuler", "ExactPair"]],
-        _ => [["Verlet", "Pull"], ["Pefrl", "Pull"]],
+        "spring" => vec![["Verlet", "Anchor"], ["SemiImplicitEuler", "ExactSpring"]],
+        "projectile" => vec![["Verlet", "ExactDrag"], ["SemiImplicitEuler", "Ballistic"]],
+        "quadratic" => vec![["Verlet", "ExactQuadraticDrag"]],
+        "pair" => vec![["Verlet", "Spring"], ["SemiImplicitEuler", "ExactPair"]],
+        _ => vec![["Verlet", "Pull"], ["Pefrl", "Pull"]],
     };
     // All scenes fit a table-top.
     let body = match core {
         Core::M0Plus => "I8F24",
         Core::M4F => "f32",
     };
-    lines.map(|[method, forces]| [method, forces, body])
+    let with_body = |[method, forces]: [&'static str; 2]| [method, forces, body];
+    lines.into_iter().map(with_body).collect()
 }
 
 /// The lines of a chart at 60 Hz.
@@ -32,7 +33,7 @@ pub struct At60<'a> {
     /// On the front, from cheap to dear.
     pub front: Vec<[&'a str; 3]>,
     /// Of each recommended line, what is as cheap and as good; nothing where it is on the front.
-    pub before: [Vec<[&'a str; 3]>; 2],
+    pub before: Vec<Vec<[&'a str; 3]>>,
 }
 
 /// What is on the front, and what stands before the recommended lines.
@@ -45,10 +46,11 @@ pub fn at_60_hz<'a>(core: Core, scene: &str, size: f64, rows: &'a [Row]) -> At60
         let kept = (0..rows.len()).filter(|&i| keep(i));
         kept.map(|i| rows[i].line()).collect()
     };
-    let before = recommended(scene, core).map(|name| {
+    let before = recommended(scene, core).into_iter().map(|name| {
         let ours = rows.iter().position(|row| row.line() == name);
         names(&|i| ours.is_some_and(|ours| beats(&points[i], &points[ours])))
     });
+    let before = before.collect();
     At60 {
         front: names(&|i| on[i]),
         before,
@@ -66,7 +68,7 @@ pub fn all(table: &Table) -> Result<String, String> {
         .concat())
 }
 
-/// Three lines for a scene and a core.
+/// A few lines for a scene and a core.
 fn text(core: Core, scene: &str, size: f64, rows: &[Row]) -> String {
     let At60 { front, before } = at_60_hz(core, scene, size, rows);
     let joined = |names: &[[&str; 3]]| {
