@@ -189,7 +189,9 @@ impl<'a> Panel<'a> {
                 let same = self.lines.iter().filter(|line| line.kind() == kind);
                 let mut places: Vec<At> = same.flat_map(|line| self.places(line)).collect();
                 places.sort_unstable();
-                if !labels.write(area, &kind.join(", "), (TEXT - 3, NAMES), &places)? {
+                // Where every run failed there is no line: the crosses name it.
+                let drawn = !places.is_empty();
+                if drawn && !labels.write(area, &kind.join(", "), (TEXT - 3, NAMES), &places)? {
                     return Err(format!("no room for the name of {}", kind.join(", ")).into());
                 }
             }
