@@ -1,0 +1,81 @@
+//! The MPS2 board AN386 of QEMU (Cortex-M4F): semihosting, and the CMSDK's timer 0. With
+//! `-icount shift=6` an instruction takes 64 ns, whatever the host does.
+#![no_std]
+
+pub use cortex_m_rt;
+use cortex_m_semihosting::{debug, hio};
+pub use measure;
+use measure::{Board, Counts};
+
+/// The board.
+pub struct This;
+
+/// A tick, at 25 MHz, and an instruction, in ns.
+const TICK: u64 = 40;
+const INSTRUCTION: u64 = 64;
+
+/// RELOAD, VALUE, CTRL enable: it counts down.
+const START: [(usize, u32); 3] = [(0x4000_0008, u32::MAX), (VALUE, u32::MAX), (0x4000_0000, 1)];
+const VALUE: usize = 0x4000_0004;
+
+impl Board for This {
+    const COUNTS: Counts = Counts::Instructions;
+    const ROUND: u32 = 2;
+
+    fn start(&self) {
+        for (address, value) in START {
+            unsafe { core::ptr::write_volatile(address as *mut u32, value) };
+        }
+    }
+
+    #[inline(never)]
+    fn count(&self) -> u32 {
+        let ticks = u32::MAX - unsafe { core::ptr::read_volatile(VALUE as *const u32) };
+        (ticks as u64 * TICK / INSTRUCTION) as u32
+    }
+
+    #[inline(never)]
+    fn spin(&self, rounds: u32) {
+        unsafe {
+            core::arch::asm!(
+                "adds {0}, #1",
+                "2: subs {0}, #1",
+                "bne 2b",
+                inout(reg) rounds => _,
+            );
+        }
+    }
+
+    fn print(&self, text: &str) {
+        if let Ok(mut out) = hio::hstdout() {
+            let _ = out.write_all(text.as_bytes());
+        }
+    }
+
+    fn exit(&self, ok: bool) -> ! {
+        debug::exit(if ok {
+            debug::EXIT_SUCCESS
+        } else {
+            debug::EXIT_FAILURE
+        });
+        loop {}
+    }
+
+    fn stack_bottom(&self) -> Option<usize> {
+        unsafe extern "C" {
+            static __sheap: u32;
+        }
+        Some(&raw const __sheap as usize)
+    }
+}
+
+/// The entry of an image, which is handed the board.
+#[macro_export]
+macro_rules! image {
+    ($image:expr) => {
+        #[$crate::cortex_m_rt::entry]
+        fn main() -> ! {
+            $crate::measure::finish(&$crate::This, $image)
+        }
+    };
+}
