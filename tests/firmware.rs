@@ -110,19 +110,29 @@ fn host() -> Result<Bits, Error> {
     Ok(bits)
 }
 
-/// Each target has a row of each scene, and it has the host's bits.
+/// Each target has a row of each scene, and it has the host's bits. The console has some scenes twice: in
+/// its fast RAM they are looked at after 600 steps.
 #[test]
 fn the_host_makes_the_bits_of_every_target() {
-    let Bits(mut bits) = host().unwrap();
+    let Bits(bits) = host().unwrap();
     let scenes = bits.len();
     let mut compared = HashMap::<_, usize>::new();
     for row in rows().iter().filter(|row| row["hash"] != "-") {
-        let key = [row["scene"], row["scalar"], row["method"]].map(String::from);
-        let expected = bits
-            .get_mut(&key)
-            .unwrap_or_else(|| panic!("no scene {key:?}"));
-        assert_eq!(row["hash"], expected, "{} {key:?}", row["target"]);
-        *compared.entry(row["target"]).or_default() += 1;
+        let scene = row["scene"]
+            .trim_end_matches(" in IWRAM")
+            .trim_end_matches(" by Long");
+        let key = [scene, row["scalar"], row["method"]].map(String::from);
+        let expected = bits.get(&key).unwrap_or_else(|| panic!("no scene {key:?}"));
+        let (target, hash) = (row["target"], row["hash"]);
+        if scene == row["scene"] {
+            assert_eq!(hash, expected, "{target} {key:?}");
+            *compared.entry(target).or_default() += 1;
+        } else {
+            assert!(
+                expected.ends_with(&format!(" 600:{hash}")),
+                "{target} {key:?}"
+            );
+        }
     }
     for target in TARGETS {
         assert_eq!(compared.get(target), Some(&scenes), "{target}");

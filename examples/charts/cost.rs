@@ -50,15 +50,12 @@ impl Costs {
         Ok(Costs::of(&text))
     }
 
-    /// Columns: target, scene, body, step, method, figure, hash.
+    /// Columns: target, scene, scalar, method, hash, instructions, and more.
     fn of(text: &str) -> Costs {
         let figures = text.lines().filter_map(|line| {
-            let (key, rest) = line
-                .match_indices('\t')
-                .nth(4)
-                .map(|(at, _)| line.split_at(at))?;
-            let figure = rest.split('\t').nth(1)?.parse().ok()?;
-            Some((key.to_string(), figure))
+            let fields: Vec<_> = line.split('\t').collect();
+            let figure = fields.get(5)?.parse().ok()?;
+            Some((fields[..4].join("\t"), figure))
         });
         Costs(figures.collect())
     }
@@ -67,7 +64,7 @@ impl Costs {
     pub fn get(&self, core: Core, scene: &str, run: [&str; 3]) -> Result<f64, String> {
         let [method, forces, body] = run;
         let target = core.target();
-        let key = format!("{target}\tchart {scene} {forces}\t{body}\t1/60\t{method}");
+        let key = format!("{target}\tchart {scene} {forces}\t{body}\t{method}");
         let missing = || {
             format!(
                 "tests/firmware/results.tsv has no row {}",

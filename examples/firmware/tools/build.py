@@ -89,7 +89,8 @@ def cargo(triple, linker, level, out, pinned, arguments):
 def images(target, level, names, out, pinned):
     """The folder with the images, which carry no suffix."""
     bins = [part for name in dict.fromkeys(names) for part in ("--bin", name)]
-    package = ["build", "--package", f"fixstep-{target.name}"]
+    # Cargo runs beside the packages, and would not see what one of them asks for.
+    package = ["build", "--package", f"fixstep-{target.name}", "--config", f"{target.name}/.cargo/config.toml"]
     cargo(target.triple, target.linker, level, out, pinned, [*package, *bins])
     folder = out / level / target.name
     folder.mkdir(parents=True, exist_ok=True)
@@ -120,6 +121,17 @@ def run(target, emulator, image):
     if done.returncode:
         raise Failed(f"{target.name} {image.name}: exit code {done.returncode}\n{done.stdout[-500:]}{done.stderr}")
     return done.stdout
+
+
+def draw(emulator, image, options):
+    """The folder with the pictures of an image."""
+    folder = image.parent / "pictures"
+    folder.mkdir(exist_ok=True)
+    done = subprocess.run([*emulator, *(option.format(folder) for option in options), image], cwd=HERE,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=900)
+    if done.returncode:
+        raise Failed(f"{image.name}: {done.stdout[-500:]}{done.stderr}")
+    return folder
 
 
 def check_features(out, pinned):

@@ -9,26 +9,45 @@ from targets import TARGETS
 ROOT = Path(__file__).resolve().parents[3]
 M0, M4F, RISCV, GBA = (TARGETS[name].triple for name in ("cortex-m0", "cortex-m4f", "riscv", "gba"))
 SCALARS = ["I16F16", "f32", "I16F16 carried"]
+FIRMWARE = "examples/firmware"
 SCENE = "gravity 1/64", "I16F16", "SemiImplicitEuler"
 
 
 def write(table):
+    """Writes them, and the pictures."""
+    for path, content in pages(table).items():
+        path.write_bytes(content)
+
+
+def stale(table):
+    """A line for each page or picture that is not what was measured."""
+    return [f"{path.relative_to(ROOT)} is not what was measured"
+            for path, content in pages(table).items() if path.read_bytes() != content]
+
+
+def pages(table):
+    """What the pages and pictures should be."""
     figures = Figures(table)
-    fill(ROOT / "README.md", [
-        ("| body | step | method | M0+ |", figures.steps),
-        ("| | for each | M0+ I16F16 |", figures.forces),
-        ("| the scene, and | M0+ | M4F |", figures.flash),
-        ("| method | order | force calls |", figures.methods),
-    ], figures.sentences())
-    fill(ROOT / "src/integrate/mod.rs", [("//! | method | order | force calls |", figures.methods)])
     bodies = "| body | bytes | M0+ 1/60 |"
-    fill(ROOT / "ARCHITECTURE.md", [(bodies, lambda cells: figures.bodies(cells, rounded))])
-    fill(ROOT / "src/guide.rs", [("//! " + bodies, lambda cells: figures.bodies(cells, str))])
+    filled = {
+        "README.md": fill("README.md", [
+            ("| body | step | method | M0+ |", figures.steps),
+            ("| | for each | M0+ I16F16 |", figures.forces),
+            ("| the scene, and | M0+ | M4F |", figures.flash),
+            ("| method | order | force calls |", figures.methods),
+        ], figures.sentences()),
+        "src/integrate/mod.rs": fill("src/integrate/mod.rs", [("//! | method | order | force calls |", figures.methods)]),
+        "ARCHITECTURE.md": fill("ARCHITECTURE.md", [(bodies, lambda cells: figures.bodies(cells, rounded))]),
+        "src/guide.rs": fill("src/guide.rs", [("//! " + bodies, lambda cells: figures.bodies(cells, str))]),
+        f"{FIRMWARE}/gba/README.md": fill(f"{FIRMWARE}/gba/README.md", [("| step | Thumb in", figures.console)]),
+    }
+    texts = {ROOT / path: text.encode() for path, text in filled.items()}
+    return texts | {ROOT / FIRMWARE / path: content for path, content in table.pictures.items()}
 
 
 def fill(path, tables, sentences=()):
     """Has each row of each table, which begins with a header, filled by a function of its cells."""
-    lines = path.read_text().split("\n")
+    lines = (ROOT / path).read_text().split("\n")
     for header, filled in tables:
         start = next(i for i, line in enumerate(lines) if line.startswith(header)) + 2
         for i in range(start, len(lines)):
@@ -41,7 +60,7 @@ def fill(path, tables, sentences=()):
     for pattern, figure in sentences:
         text, found = re.subn(pattern, lambda match: match[0].replace(match[1], figure, 1), text)
         assert found == 1, pattern
-    path.write_text(text)
+    return text
 
 
 def rounded(figure):
@@ -74,7 +93,8 @@ class Figures:
             alone = int(self.rows[core, scene, "-", "-"]["flash_bytes"])
             if cells[0] == "nothing more":
                 return str(alone)
-            return f"{int(self.rows[core, f'{scene} + {cells[0].replace('`', '')}', '-', '-']['flash_bytes']) - alone:+}"
+            more = cells[0].replace("`", "")
+            return f"{int(self.rows[core, f'{scene} + {more}', '-', '-']['flash_bytes']) - alone:+}"
 
         return [cells[0], bytes_more(M0), bytes_more(M4F)]
 
@@ -90,7 +110,20 @@ class Figures:
         return [*cells[:2], *(written(self.each(core, f"gravity {step}", body, "SemiImplicitEuler"))
                               for core, step in columns)]
 
+    def console(self, cells):
+        """Of the console, in the cartridge and in its fast RAM."""
+        scene, scalar = {
+            "`DyadicStep`, 4389/2^18 s, one picture": ("gravity 4389/2^18", "I16F16"),
+            "the same by `Long`": ("gravity 4389/2^18 by Long", "I16F16"),
+            "`DyadicStep`, 1/64 s": ("gravity 1/64", "I16F16"),
+            "`Step::hz(60)`": ("gravity 1/60", "I16F16"),
+            "`f32`, `Step::hz(60)`": ("gravity 1/60", "f32"),
+        }[cells[0]]
+        return [cells[0], *(self.each(GBA, of, scalar, "SemiImplicitEuler") for of in (scene, f"{scene} in IWRAM"))]
+
     def sentences(self):
         row = self.rows[M0, *SCENE]
+        fast = [self.each(GBA, f"gravity {step} in IWRAM", *SCENE[1:]) for step in ("4389/2^18", "1/64")]
         return [(r"takes\s+(\d+)\s+bytes of\s+flash", row["flash_bytes"]), (r"(\d+)\s+bytes\s+of\s+RAM", row["ram_bytes"]),
-                (r"(\d+)\s+bytes\s+of\s+stack", row["stack_bytes"])]
+                (r"(\d+)\s+bytes\s+of\s+stack", row["stack_bytes"]),
+                (r"takes\s+([\d.]+)\s+cycles at one picture a step", fast[0]), (r"and\s+([\d.]+)\s+at\s+1/64\s+s:", fast[1])]

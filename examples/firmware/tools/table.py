@@ -17,6 +17,8 @@ class Table:
         self.calibrations = []
         # Symbols of a heap or of atomics, by image.
         self.forbidden = {}
+        # Pictures, by where they are committed.
+        self.pictures = {}
 
     @staticmethod
     def joined(tables):
@@ -25,6 +27,7 @@ class Table:
             all_rows.rows += table.rows
             all_rows.calibrations += table.calibrations
             all_rows.forbidden |= table.forbidden
+            all_rows.pictures |= table.pictures
         return all_rows
 
     @staticmethod
@@ -41,11 +44,19 @@ class Table:
         symbols = self.symbols(target, image)
         for line in output.splitlines():
             first, *fields = line.split("\t")
+            if not fields:  # `EXIT 0` of the console
+                continue
             if first == "calibration":
                 self.calibrations.append((target.name, image.name, *map(int, fields)))
                 continue
             row = dict.fromkeys(COLUMNS, "-") | dict(zip(PRINTED, [first, *fields])) | symbols
             self.rows.append(row | {"target": target.triple})
+
+    def add_picture(self, target, folder, image):
+        """Pictures that an image has drawn."""
+        symbols = self.symbols(target, image)
+        assert all(found in ("0", "-") for found in symbols.values()), f"{image}: {symbols}"
+        self.pictures |= {f"{target.name}/{picture.name}": picture.read_bytes() for picture in folder.glob("*.png")}
 
     def add_weight(self, target, level, image, empty):
         """A row of flash: what the image takes more than start-up and exit. The gravity scene, as the

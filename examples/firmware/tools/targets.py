@@ -40,6 +40,8 @@ class Target:
     runner: str = ""
     libraries: list[str] = field(default_factory=list)
     running: list[str] = field(default_factory=lambda: list(RUNNING))
+    # Images that draw, and how the emulator is told to keep what they draw, in a folder.
+    pictures: dict[str, list[str]] = field(default_factory=dict)
     # Images whose flash is told, by opt-level.
     weighed: dict[str, list[str]] = field(default_factory=lambda: {"3": ["empty", "gravity"]})
 
@@ -57,7 +59,9 @@ TARGETS = {target.name: target for target in [
     Target("riscv", "riscv32imac-unknown-none-elf", [*RISCV, "-kernel"], ["qemu-system-misc"]),
     Target("gba", "thumbv4t-none-eabi", ["-f", "900000"], ["libmgba-dev", "libpng-dev", "gcc"],
            runner="gba/runner/gba-run.c", libraries=["mgba", "png"],
-           running=[*RUNNING, "fast"]),
+           running=[*RUNNING, "fast"],
+           pictures={"showcase": ["-k", "gba/showcase.keys", "-z", "3", "-s", "1200:{}/showcase.png",
+                                  "-s", "2200:{}/showcase-buttons.png"]}),
     Target("wasm", "wasm32-unknown-unknown", ["node", "wasm/run.mjs"], ["nodejs"],
            linker="wasm-ld-22", suffix=".wasm", weighed={}),
 ]}

@@ -20,7 +20,7 @@ static const char USAGE[] =
 	"usage: gba-run [-f FRAMES] [-k KEYS] [-s FRAME:FILE.png]... [-z ZOOM] IMAGE\n"
 	"\n"
 	"  IMAGE             a .gba file or an ELF; lines of its debug log go to standard output\n"
-	"  -f FRAMES         give up after so many frames (36000, ten minutes)\n"
+	"  -f FRAMES         give up after so many frames (600000, near three hours)\n"
 	"  -k KEYS           press keys: a file of lines such as `120 A+RIGHT`, `125 -`, `# a comment`\n"
 	"                    A B SELECT START RIGHT LEFT UP DOWN R L, joined by +; - for none\n"
 	"  -s FRAME:FILE     write the screen as it is at the end of that frame; may be repeated\n"
@@ -127,7 +127,7 @@ static void write_png(const char* path, const color_t* screen, unsigned width, u
 }
 
 int main(int count, char** words) {
-	long frames = 36000, last = 0;
+	long frames = 600000, last = 0;
 	unsigned zoom = 1, width, height;
 	const char* image = NULL;
 	for (int i = 1; i < count; i++) {

@@ -53,7 +53,11 @@ fn row<H: TimeStep<I16F16>>(
 board::image!(|board| {
     let priced = &mut Priced::new(board);
     row(priced, "4389/2^18", &DyadicStep::<_, 4389, 18>::new()?)?;
-    row(priced, "4389/2^18 by Long", &Long::new(Long::<I16F16>::PICTURE)?)?;
+    row(
+        priced,
+        "4389/2^18 by Long",
+        &Long::new(Long::<I16F16>::PICTURE)?,
+    )?;
     row(priced, "1/64", &DyadicStep::<_, 1, 6>::new()?)?;
     row(priced, "1/60", &Step::hz(60)?)
 });

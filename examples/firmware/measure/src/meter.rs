@@ -43,7 +43,7 @@ impl<'a, B: Board> Priced<'a, B> {
         priced.reading = priced.counted(|| ());
         let out = Printer(board);
         for rounds in [0, 1_000, 100_000] {
-            let counted = priced.counted(|| board.spin(rounds));
+            let counted = priced.spun(rounds);
             out.text("calibration");
             for figure in [rounds, counted, B::ROUND] {
                 out.text("\t");
@@ -60,6 +60,12 @@ impl<'a, B: Board> Priced<'a, B> {
         work();
         let counted = self.board.count().wrapping_sub(start);
         counted.saturating_sub(self.reading)
+    }
+
+    // Not inlined: nothing of the caller's may come between the two readings.
+    #[inline(never)]
+    fn spun(&self, rounds: u32) -> u32 {
+        self.counted(|| self.board.spin(rounds))
     }
 
     /// Tenths of a count for each unit, less what is there without a force.

@@ -185,7 +185,11 @@ impl Pen<'_> {
         }
         let (own, other, both) = (self.own, self.other, self.both);
         change(x as usize, y as usize, |old| {
-            if old == other || old == both { both } else { own }
+            if old == other || old == both {
+                both
+            } else {
+                own
+            }
         });
         *place = (y << 8 | x) as u16;
         *self.used += 1;

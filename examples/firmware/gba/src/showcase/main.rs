@@ -26,6 +26,7 @@ use gba::prelude::*;
 use canvas::{Canvas, Who};
 use colors::Ink;
 use race::{Cost, Race};
+use scene::place;
 use text::Text;
 
 /// Pictures since the start, counted by the screen's interrupt.
@@ -46,14 +47,14 @@ fn show_screen() {
 }
 
 fn draw(canvas: &mut Canvas, race: &Race) {
-    for (who, places) in [(Who::Float, race.float()), (Who::Fixed, race.fixed())] {
+    for (who, positions) in [(Who::Float, &race.float_at), (Who::Fixed, &race.fixed_at)] {
         for [from, to] in scene::LINKS {
-            if let (Some(&from), Some(&to)) = (places.get(from), places.get(to)) {
-                canvas.line(who, from, to);
+            if let (Some(&from), Some(&to)) = (positions.get(from), positions.get(to)) {
+                canvas.line(who, place(from), place(to));
             }
         }
-        for place in places {
-            canvas.dot(who, place);
+        for &at in positions {
+            canvas.dot(who, place(at));
         }
     }
 }
@@ -69,7 +70,10 @@ fn report(row: usize, text: &mut Text, race: &Race) {
         1 => costs(text.ink(Ink::Fixed), race.scalar(), race.cost_of_fixed),
         2 => costs(text.ink(Ink::Float), "f32", race.cost_of_float),
         _ => {
-            text.word("apart ").fraction(race.apart()).word(" m").tab(20);
+            text.word("apart ")
+                .fraction(race.apart())
+                .word(" m")
+                .tab(20);
             let rate = race.pictures_per_second();
             text.ink(Ink::Grey).hundredths(rate).word(" fps");
         }
@@ -78,7 +82,10 @@ fn report(row: usize, text: &mut Text, race: &Race) {
 }
 
 fn costs(text: &mut Text, scalar: &str, cost: Cost) {
-    text.word(scalar).tab(7).number(cost.cycles(), 6).word(" cycles ");
+    text.word(scalar)
+        .tab(7)
+        .number(cost.cycles(), 6)
+        .word(" cycles ");
     text.tenths(cost.tenths_of_percent(), 4).word(" %");
 }
 

@@ -2,10 +2,10 @@
 
 use board::{Long, This};
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::{Accumulator, Error, Ratio, Step, TimeStep, Vec2};
+use fixstep::{Accumulator, Error, Ratio, Step, TimeStep};
 use measure::Board;
 
-use crate::scene::{BODIES, Place, Scene, Shown};
+use crate::scene::{Positions, Scene, Shown};
 
 /// Cycles of a second and of a picture.
 const SECOND: u32 = 1 << 24;
@@ -59,6 +59,9 @@ enum Fixed {
 pub struct Race {
     fixed: Fixed,
     float: Side<f32, Step<f32>>,
+    /// Where the bodies are.
+    pub fixed_at: Positions,
+    pub float_at: Positions,
     clock: Accumulator,
     rate: usize,
     pub cost_of_fixed: Cost,
@@ -79,20 +82,15 @@ fn fast<S: Shown, H: TimeStep<S>>(scene: &mut Scene<S>, step: &H) {
 }
 
 fn halves(rate: usize) -> u32 {
-    RATES.get(rate).map_or(Long::<f32>::PICTURE, |&(_, halves)| halves)
+    RATES
+        .get(rate)
+        .map_or(Long::<f32>::PICTURE, |&(_, halves)| halves)
 }
 
 impl<S: Shown> Side<S, Long<S>> {
     fn new(rate: usize) -> Result<Self, Error> {
         let (scene, step) = (Scene::new()?, Long::new(halves(rate))?);
         Ok(Side { scene, step })
-    }
-
-    /// The largest distance of two bodies of one name, in units of 2^-16 m.
-    fn apart<H>(&self, other: &Side<f32, H>) -> u32 {
-        let pairs = self.scene.positions().zip(other.scene.positions());
-        let apart = |(a, b): (Vec2<I16F16>, Vec2<I16F16>)| (a - b).length().to_bits() as u32;
-        pairs.map(apart).fold(0, u32::max)
     }
 }
 
@@ -113,7 +111,10 @@ impl Race {
     pub fn new() -> Result<Race, Error> {
         let rate = 2;
         let float = Side::<f32, Step<_>>::new(rate)?;
+        let at = float.scene.positions();
         Ok(Race {
+            fixed_at: at,
+            float_at: at,
             fixed: Fixed::I16F16(Side::<_, Long<_>>::new(rate)?),
             clock: Accumulator::new(SECOND, float.step.seconds(), MOST)?,
             float,
@@ -167,6 +168,7 @@ impl Race {
             fast(&mut self.float.scene, &self.float.step);
         }
         let end = This.count();
+        self.look();
         self.cost_of_fixed.now += middle.wrapping_sub(start);
         self.cost_of_float.now += end.wrapping_sub(middle);
         self.passed += pictures;
@@ -182,23 +184,20 @@ impl Race {
         }
     }
 
-    pub fn fixed(&self) -> [Place; BODIES] {
-        match &self.fixed {
-            Fixed::I16F16(side) => side.scene.places(),
-            Fixed::I8F24(side) => side.scene.places(),
-        }
+    fn look(&mut self) {
+        self.float_at = self.float.scene.positions();
+        self.fixed_at = match &self.fixed {
+            Fixed::I16F16(side) => side.scene.positions(),
+            Fixed::I8F24(side) => side.scene.positions(),
+        };
     }
 
-    pub fn float(&self) -> [Place; BODIES] {
-        self.float.scene.places()
-    }
-
-    /// How far the two worlds have parted, in units of 2^-16 m.
+    /// How far two bodies of one name have parted, at most, in units of 2^-16 m.
     pub fn apart(&self) -> u32 {
-        match &self.fixed {
-            Fixed::I16F16(side) => side.apart(&self.float),
-            Fixed::I8F24(side) => side.apart(&self.float),
-        }
+        let pairs = self.fixed_at.iter().zip(&self.float_at);
+        pairs
+            .map(|(&a, &b)| (a - b).length().to_bits() as u32)
+            .fold(0, u32::max)
     }
 
     pub fn scalar(&self) -> &'static str {

@@ -18,7 +18,7 @@ const ZOOM: u32 = 4;
 const FLOOR: i32 = 131;
 
 /// A place on the screen.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub struct Place {
     pub x: i32,
     pub y: i32,
@@ -124,23 +124,24 @@ impl<S: Shown> Scene<S> {
         }
     }
 
-    /// Where the bodies are on the screen.
-    pub fn places(&self) -> [Place; BODIES] {
-        let mut places = [Place::default(); BODIES];
-        for (place, body) in places.iter_mut().zip(self.world.bodies()) {
-            let at = body.position().map(S::shown);
-            *place = Place {
-                x: at.x >> (16 - ZOOM),
-                y: FLOOR - (at.y >> (16 - ZOOM)),
-            };
+    /// Where the bodies are, m.
+    pub fn positions(&self) -> Positions {
+        let mut all = [Vec2::ZERO; BODIES];
+        for (at, body) in all.iter_mut().zip(self.world.bodies()) {
+            *at = body.position().map(|x| I16F16::from_bits(x.shown()));
         }
-        places
+        all
     }
+}
 
-    /// Where the bodies are, in units of 2^-16 m.
-    pub fn positions(&self) -> impl Iterator<Item = Vec2<I16F16>> {
-        let at = |body: &Point<S>| body.position().map(|x| I16F16::from_bits(x.shown()));
-        self.world.bodies().iter().map(at)
+/// Positions of all bodies in a type that all types can be shown in.
+pub type Positions = [Vec2<I16F16>; BODIES];
+
+/// Where that is on the screen.
+pub fn place(at: Vec2<I16F16>) -> Place {
+    Place {
+        x: at.x.to_bits() >> (16 - ZOOM),
+        y: FLOOR - (at.y.to_bits() >> (16 - ZOOM)),
     }
 }
 

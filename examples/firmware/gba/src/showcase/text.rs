@@ -94,9 +94,10 @@ impl Text {
             }
             value /= 10;
         }
-        let digits = digits.iter().enumerate().skip_while(|&(i, &digit)| {
-            digit == b' ' && i + (width as usize) < digits.len()
-        });
+        let digits = digits
+            .iter()
+            .enumerate()
+            .skip_while(|&(i, &digit)| digit == b' ' && i + (width as usize) < digits.len());
         for (_, &digit) in digits {
             self.character(digit);
         }
@@ -104,13 +105,22 @@ impl Text {
     }
 
     fn character(&mut self, byte: u8) {
-        let Some(shown) = self.shown.get_mut(self.row).and_then(|row| row.get_mut(self.column)) else {
+        let Some(shown) = self
+            .shown
+            .get_mut(self.row)
+            .and_then(|row| row.get_mut(self.column))
+        else {
             return;
         };
         let new = (byte, self.ink as u8);
         if *shown != new {
             *shown = new;
-            draw(self.column * 8, TOPS.get(self.row).copied().unwrap_or(0), byte, self.ink);
+            draw(
+                self.column * 8,
+                TOPS.get(self.row).copied().unwrap_or(0),
+                byte,
+                self.ink,
+            );
         }
         self.column += 1;
     }
@@ -122,7 +132,10 @@ impl Text {
 #[unsafe(link_section = ".iwram.draw")]
 fn draw(left: usize, top: usize, byte: u8, ink: Ink) {
     for y in 0..8 {
-        let word = CGA_8X8_THICK.get(byte as usize * 2 + y / 4).copied().unwrap_or(0);
+        let word = CGA_8X8_THICK
+            .get(byte as usize * 2 + y / 4)
+            .copied()
+            .unwrap_or(0);
         let bits = word >> (y % 4 * 8);
         for x in 0..8 {
             let on = bits >> x & 1 == 1;
