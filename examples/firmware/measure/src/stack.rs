@@ -24,16 +24,17 @@ pub fn used(board: &impl Board, work: impl FnOnce()) -> Option<usize> {
     (untouched > 0).then(|| (words - untouched) * size_of::<usize>())
 }
 
+// As far as the compiler knows it pushes: so the frame of the caller is made before, and stands above.
 #[inline(always)]
 fn stack_pointer() -> usize {
     let pointer: usize;
     #[cfg(target_arch = "arm")]
     unsafe {
-        core::arch::asm!("mov {}, sp", out(reg) pointer, options(nomem, nostack))
+        core::arch::asm!("mov {}, sp", out(reg) pointer)
     };
     #[cfg(target_arch = "riscv32")]
     unsafe {
-        core::arch::asm!("mv {}, sp", out(reg) pointer, options(nomem, nostack))
+        core::arch::asm!("mv {}, sp", out(reg) pointer)
     };
     #[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
     {
