@@ -7,7 +7,7 @@ use super::Scalar;
 use super::carry::Carry;
 use super::factor::{Coef, InvMass};
 use super::fine::{FINE, LIMIT, changed, exchanged, fine, rounded, scaled, units};
-use super::high_product::product_i32;
+use super::high_product::{ODD_SHIFT, product_i32, rounded_sum_i32};
 
 /// `place + change` for a change that leaves its upper word room for one more. The upper word
 /// saturates alone: there the lower one no longer matters.
@@ -19,9 +19,33 @@ fn advanced(place: i64, change: i64) -> i64 {
     (high as i64) << 32 | low as i64
 }
 
-/// The same for factors from a quarter on, or below `2^-31`.
+/// `mantissa / 2^shift` in units of `2^-32`, for shifts from 33 to 62: a whole number, and a fraction
+/// that is made odd.
+#[inline(always)]
+fn parted(mantissa: i32, shift: u32) -> (i32, i32) {
+    let fraction = mantissa << ((64 - shift) & 31) | 1;
+    (
+        (mantissa >> ((shift - 32) & 31)) + (fraction < 0) as i32,
+        fraction,
+    )
+}
+
+/// The part of a remainder that goes with a whole number of units.
+#[inline(always)]
+fn rest_of(rest: i16, whole: i32) -> i32 {
+    (rest as i32).wrapping_mul((whole + (1 << (FINE - 1))) >> FINE)
+}
+
+/// The same for factors from a quarter on, and for those whose fraction has more bits than
+/// [`ODD_SHIFT`] promises.
 #[cold]
 fn far(place: i64, (value, rest): (i32, i16), mantissa: i32, shift: u32) -> i64 {
+    if (33..=62).contains(&shift) {
+        let (whole, fraction) = parted(mantissa, shift);
+        let part = (product_i32(value, fraction) + (1 << 31)) >> 32;
+        let part = part + rest_of(rest, whole) as i64;
+        return advanced(place, product_i32(value, whole) + part);
+    }
     let product = product_i32(value, mantissa);
     let change = match shift.checked_sub(32) {
         None | Some(0) => product.saturating_mul(1 << (32 - shift)).max(-i64::MAX),
@@ -83,14 +107,12 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     fn drifted(place: i64, (v, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {
         let (mantissa, shift) = h.parts();
         let (v, shift) = (v.to_bits(), shift + halvings);
-        if !(33..=62).contains(&shift) {
+        if !(33..=ODD_SHIFT).contains(&shift) {
             return far(place, (v, rest), mantissa, shift);
         }
-        let fraction = mantissa << (64 - shift) | 1;
-        let whole = (mantissa >> (shift - 32)) + (fraction < 0) as i32;
-        let part = (product_i32(v, fraction) + (1 << 31)) >> 32;
-        let rest = (rest as i32).wrapping_mul((whole + (1 << (FINE - 1))) >> FINE);
-        advanced(place, product_i32(v, whole) + part + rest as i64)
+        let (whole, fraction) = parted(mantissa, shift);
+        let part = rounded_sum_i32(rest_of(rest, whole), v, fraction);
+        advanced(place, product_i32(v, whole) + part as i64)
     }
 
     // A shift alone leaves its two words as they are. Below a second no product leaves the range.
@@ -201,5 +223,36 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     fn of_rest_bits(bits: u64) -> Option<i16> {
         let rest = u16::try_from(bits).ok()? as i16;
         (rest.unsigned_abs() <= 1 << (FINE - 1)).then_some(rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fixed::types::I16F16;
+
+    #[test]
+    fn far_and_near_drift_alike() {
+        let mut seed = 1_u64;
+        let mut random = || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 32) as i32
+        };
+        for round in 0..300_000 {
+            let shift = 33 + round % 30;
+            let (high, low, rest) = (random(), random(), (random() >> 17) as i16);
+            let place = (high as i64) << 32 | low as u32 as i64;
+            let value = [random(), i32::MIN, i32::MAX, -1][(round % 7 / 2) as usize];
+            let mantissa = random() >> 31 ^ (random() & i32::MAX | 1 << 30);
+            let near = I16F16::drifted(
+                place,
+                (I16F16::from_bits(value), rest),
+                Coef::of_raw(mantissa, shift),
+                0,
+            );
+            assert_eq!(near, far(place, (value, rest), mantissa, shift));
+        }
     }
 }

@@ -29,6 +29,42 @@ pub(super) fn product_i32(a: i32, b: i32) -> i64 {
     (high_product_halves(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
 }
 
+/// The largest shift of a coefficient whose odd fraction [`rounded_sum_i32`] takes.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+pub(super) const ODD_SHIFT: u32 = 62;
+
+/// Of up to 31 bits 16 remain, and the one that makes it odd.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+pub(super) const ODD_SHIFT: u32 = 48;
+
+/// `sum + a b / 2^32`, the quotient rounded half up, where that fits: SMMLAR on a Cortex-M4.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(super) fn rounded_sum_i32(sum: i32, a: i32, b: i32) -> i32 {
+    (((sum as i64) << 32).wrapping_add(product_i32(a, b) + (1 << 31)) >> 32) as i32
+}
+
+/// The same for a b whose lower half is 1: two short products instead of five.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+pub(super) fn rounded_sum_i32(sum: i32, a: i32, b: i32) -> i32 {
+    rounded_sum_halves(sum, a, b)
+}
+
+/// With `b = B 2^16 + 1` and a half up, what is below `2^16` carries nothing: it is the lower half of a.
+/// No sum wraps: `(2^16 - 1) B + a / 2^16 + 2^15` lies between `-2^31 + 2^15` and `2^31 - 2^16`.
+#[cfg_attr(
+    not(all(target_arch = "arm", not(target_has_atomic = "32"))),
+    allow(dead_code)
+)]
+#[inline(always)]
+fn rounded_sum_halves(sum: i32, a: i32, b: i32) -> i32 {
+    let (a_high, a_low, b_high) = (a >> 16, a & 0xFFFF, b >> 16);
+    let low = a_low.wrapping_mul(b_high).wrapping_add(a_high + (1 << 15));
+    let high = a_high.wrapping_mul(b_high);
+    sum.wrapping_add(high).wrapping_add(low >> 16)
+}
+
 #[inline(always)]
 pub(super) fn high_product_i64(a: i64, b: i64) -> i64 {
     ((a as i128 * b as i128) >> 64) as i64
@@ -83,6 +119,11 @@ mod tests {
                 high_product_halves(a, b),
                 ((a as i64 * b as i64) >> 32) as i32
             );
+            let (sum, odd) = (random() >> 2, b & !0xFFFF | 1);
+            assert_eq!(
+                rounded_sum_halves(sum, a, odd),
+                rounded_sum_i32(sum, a, odd)
+            );
         }
         for a in corners {
             for b in corners {
@@ -90,6 +131,8 @@ mod tests {
                     high_product_halves(a, b),
                     ((a as i64 * b as i64) >> 32) as i32
                 );
+                let odd = b & !0xFFFF | 1;
+                assert_eq!(rounded_sum_halves(7, a, odd), rounded_sum_i32(7, a, odd));
             }
         }
     }
