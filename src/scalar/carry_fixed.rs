@@ -125,6 +125,8 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
             _ => rest as i64 * num as i64,
         };
         let rest = match shift.checked_sub(32 - FINE) {
+            // Below a second 2^14 of them fit 32 bits: no shift of 64.
+            None | Some(0) if num >> shift == 0 => ((product as i32) << (32 - FINE - shift)) as i64,
             None | Some(0) => product << (32 - FINE - shift),
             Some(down) => rounded(product, down),
         };
@@ -253,6 +255,32 @@ mod tests {
                 0,
             );
             assert_eq!(near, far(place, (value, rest), mantissa, shift));
+        }
+    }
+
+    #[test]
+    fn dyadic_drift_is_exact() {
+        let steps = [
+            (1, 1),
+            (1, 6),
+            (1, 17),
+            (3, 1),
+            (70_000, 17),
+            (70_000, 1),
+            (1 << 24, 1),
+        ];
+        for (num, shift) in steps.map(|(num, shift)| (num as i64, shift)) {
+            for value in -50..50 {
+                for rest in [-1 << 14, -1, 0, 3, 1 << 14] {
+                    let fine = ((value as i64) << FINE) + rest as i64;
+                    let place = 0x0012_3456_89AB_CDEF;
+                    let kept = (I16F16::from_bits(value), rest as i16);
+                    assert_eq!(
+                        I16F16::drifted_dyadic(place, kept, num as u32, shift),
+                        place + ((fine * num) << (32 - FINE - shift))
+                    );
+                }
+            }
         }
     }
 }
