@@ -11,7 +11,7 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, Rewinds, advance, drift, each, kick};
+use super::{Method, Rewinds, advance, drift, each_whole, kick};
 use crate::body::{Body, Turn};
 use crate::force::{Force, Frame, Part, Reversible};
 use crate::id::BodyId;
@@ -35,7 +35,7 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         forces.couple(&now, &mut Frame::new(ids, bodies));
-        each(bodies, |body| {
+        each_whole(bodies, |body| {
             let seen = *body;
             forces.field(&now, &seen, body);
             forces.damp(&now, Part::Whole, body);

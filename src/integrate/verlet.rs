@@ -15,7 +15,7 @@
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 
-use super::{Method, Rewinds, advance, damp, each, parabola};
+use super::{Method, Rewinds, advance, damp, each_whole, parabola};
 use crate::between::Between;
 use crate::body::{Body, Turn};
 use crate::force::{Force, Frame, Part};
@@ -46,7 +46,7 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
             damp(bodies, forces, &now, Part::FirstHalf);
             forces.couple(&now, &mut Frame::new(ids, bodies));
         }
-        each(bodies, |body| {
+        each_whole(bodies, |body| {
             if !apart {
                 body.drift_half(&now.step);
                 forces.damp(&now, Part::FirstHalf, body);
