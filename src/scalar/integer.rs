@@ -130,9 +130,9 @@ macro_rules! raw {
             }
 
             // As in `rounded`. A small numerator needs no wide product: with v = high 2^H + low,
-            // the floors of the two parts add up, and half a unit is a multiple of 2^H. A shift
-            // alone leaves the range only within half a unit of the top, where the result is the
-            // next whole number up.
+            // the floors of the two parts add up, and half a unit is a multiple of 2^H. For a shift
+            // alone one is taken from what is not above zero and can lose it, so that ties go down
+            // there; then the last bit but one rounds. Nothing leaves the range, so nothing branches.
             #[inline(always)]
             fn dyadic(self, num: u32, shift: u32) -> $raw {
                 const MASK: u32 = $raw::BITS - 1;
@@ -146,10 +146,10 @@ macro_rules! raw {
                 if num != 1 {
                     return Self::rounded((self as $wide).wrapping_mul(num as $wide), shift);
                 }
-                let half = 1 << (shift.wrapping_sub(1) & MASK);
-                match self.checked_add(half) {
-                    Some(sum) => sum.wrapping_add(self >> MASK) >> (shift & MASK),
-                    None => (self >> (shift & MASK)) + 1,
+                let less = self.wrapping_add(self.wrapping_sub(1) >> MASK);
+                match shift {
+                    1 => (less >> 1) + (less & 1),
+                    _ => ((less >> (shift - 1 & MASK)) + 1) >> 1,
                 }
             }
 
