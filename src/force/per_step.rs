@@ -59,15 +59,13 @@ impl<S: Scalar, T: Copy> PerStep<S, T> {
         let h = step.coef();
         match self.0 {
             Some((made_for, value)) if made_for == h => value,
-            _ => self.renew(h, make),
+            _ => *self.renew(h, make),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> T {
-        let value = make(h);
-        self.0 = Some((h, value));
-        value
+    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> &T {
+        &self.0.insert((h, make(h))).1
     }
 }
