@@ -123,13 +123,11 @@ impl<R: Raw> Coef<R> {
         self.mantissa == R::signed(0, false)
     }
 
-    #[inline]
     pub(super) fn of(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }
 
     /// The product; it saturates above and loses bits below the range of a coefficient.
-    #[inline]
     pub(super) fn times(self, other: Coef<R>) -> Coef<R> {
         let (mantissa, up) = R::renormalised(self.mantissa.product(other.mantissa));
         let shift = self.shift + other.shift;
@@ -222,7 +220,6 @@ impl<R: Raw> InvMass<R> {
             .then(|| InvMass(R::signed(mantissa << 5 | shift as u64, false)))
     }
 
-    #[inline]
     pub(super) fn of(self, value: R) -> R {
         let (mantissa, shift) = self.0.unpacked();
         R::rounded(value.product(mantissa), Self::BASE + shift)

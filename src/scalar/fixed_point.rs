@@ -118,17 +118,14 @@ macro_rules! fixed_scalar {
                 $fixed::from_bits(Raw::rounded(sum, F::U32))
             }
 
-            #[inline]
             fn under(self, sum: Self::Sum) -> Self {
                 $fixed::from_bits(Raw::quotient(sum, self.to_bits()))
             }
 
-            #[inline]
             fn length(v: [Self; 2]) -> Self {
                 $fixed::from_bits(Raw::length(v.map(Self::to_bits)))
             }
 
-            #[inline]
             fn inverse_length(v: [Self; 2], softening: Self) -> Coef<$raw> {
                 Coef::inverse_length(v.map(Self::to_bits), softening.to_bits(), F::U32)
             }
