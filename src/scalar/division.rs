@@ -72,9 +72,12 @@ pub(super) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
     }
     let up = divisor.leading_zeros();
     let (n, divisor) = (n << up, divisor.get() << up);
-    let (upper, rest) = digit((n >> 32) as u32, (n >> 16) as u32 & 0xFFFF, divisor);
-    let (lower, rest) = digit(rest, n as u32 & 0xFFFF, divisor);
-    Some((upper << 16 | lower, rest >> up))
+    let (mut quotient, mut rest) = (0, (n >> 32) as u32);
+    for low in [n as u32 >> 16, n as u32 & 0xFFFF] {
+        let next = digit(rest, low, divisor);
+        (quotient, rest) = (quotient << 16 | next.0, next.1);
+    }
+    Some((quotient, rest >> up))
 }
 
 /// `(high 2^16 + low) / divisor` with its rest, for a divisor with its highest bit set and a smaller

@@ -221,8 +221,7 @@ impl<R: Raw> InvMass<R> {
     }
 
     pub(super) fn of(self, value: R) -> R {
-        let (mantissa, shift) = self.0.unpacked();
-        R::rounded(value.product(mantissa), Self::BASE + shift)
+        Coef::from(self).of(value)
     }
 
     /// `1 / self`: exact for powers of two.
