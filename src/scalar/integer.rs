@@ -49,11 +49,17 @@ macro_rules! raw {
                 $high_product(self, other)
             }
 
+            // Less one, the sum of two squares of the lowest value fits, and the two highest bits of what
+            // lies within the limits are equal.
             #[inline]
             fn dot(a: [$raw; 2], b: [$raw; 2]) -> $wide {
                 const LIMIT: $wide = 1 << ($wide::BITS - 2);
-                let sum = a[0].product(b[0]).saturating_add(a[1].product(b[1]));
-                sum.clamp(-LIMIT, LIMIT)
+                let less = (a[0].product(b[0]) - 1) + a[1].product(b[1]);
+                match (less >> ($wide::BITS - 2)) as $raw {
+                    0 | -1 => less + 1,
+                    1.. => LIMIT,
+                    _ => -LIMIT,
+                }
             }
 
             // The shift floors. Half a unit more makes it nearest with ties up; one less below
@@ -97,7 +103,8 @@ macro_rules! raw {
 
             #[inline]
             fn length(v: [$raw; 2]) -> $raw {
-                let square = Self::dot(v, v) as $unsigned_wide;
+                let [x, y] = v.map(|a| a.product(a) as $unsigned_wide);
+                let square = x + y;
                 let (root, up) = $root(square);
                 let root = root >> (up / 2);
                 let rest = square - root as $unsigned_wide * root as $unsigned_wide;
