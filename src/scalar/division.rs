@@ -15,25 +15,32 @@ use core::num::NonZero;
 /// zero for zero.
 #[inline]
 pub(super) fn root_u64(n: u64) -> (u32, u32) {
-    if n == 0 {
+    // Halves apart: zeros and shifts of 64 bits are calls on a small core.
+    let (high, low, words) = match (n >> 32) as u32 {
+        0 => (n as u32, 0, 32),
+        high => (high, n as u32, 0),
+    };
+    if high == 0 {
         return (0, 0);
     }
-    // Halves apart: counting zeros is a call on a core without CLZ.
-    let zeros = match (n >> 32) as u32 {
-        0 => 32 + (n as u32).leading_zeros(),
-        high => high.leading_zeros(),
-    };
-    let up = zeros & 62;
-    let n = n << up;
-    let (s, r) = root_u32((n >> 32) as u32);
-    let (b, c) = ((n >> 16) as u32 & 0xFFFF, n as u32 & 0xFFFF);
+    let up = high.leading_zeros() & 30;
+    let (high, low) = shifted(high, low, up);
+    let (s, r) = root_u32(high);
+    let (b, c) = (low >> 16, low & 0xFFFF);
     // Half of both: r is at most 2 s, so this fits.
     let half = (r << 15) + (b >> 1);
     let divisor = s | 1 << 15;
     let (q, u) = (half / divisor, (half % divisor) << 1 | b & 1);
     let low = (u as u64) << 16 | c as u64;
     let less = low < q as u64 * q as u64;
-    ((s << 16).wrapping_add(q).wrapping_sub(less as u32), up)
+    let root = (s << 16).wrapping_add(q).wrapping_sub(less as u32);
+    (root, words + up)
+}
+
+/// Both words of `n 2^up`, for an `up` below 32.
+#[inline]
+fn shifted(high: u32, low: u32, up: u32) -> (u32, u32) {
+    (high << up | low >> 1 >> (31 - up), low << up)
 }
 
 /// The root of an `n` from `2^30` and what is left; in the same way from half as many bits.
@@ -67,14 +74,15 @@ fn root_u16(n: u32) -> (u32, u32) {
 /// Quotient and rest; `None` where the quotient does not fit.
 #[inline]
 pub(super) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
-    if (n >> 32) as u32 >= divisor.get() {
+    let (high, low) = ((n >> 32) as u32, n as u32);
+    if high >= divisor.get() {
         return None;
     }
     let up = divisor.leading_zeros();
-    let (n, divisor) = (n << up, divisor.get() << up);
-    let (mut quotient, mut rest) = (0, (n >> 32) as u32);
-    for low in [n as u32 >> 16, n as u32 & 0xFFFF] {
-        let next = digit(rest, low, divisor);
+    let (high, low) = shifted(high, low, up);
+    let (mut quotient, mut rest) = (0, high);
+    for low in [low >> 16, low & 0xFFFF] {
+        let next = digit(rest, low, divisor.get() << up);
         (quotient, rest) = (quotient << 16 | next.0, next.1);
     }
     Some((quotient, rest >> up))
