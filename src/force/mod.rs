@@ -126,8 +126,21 @@ impl<'a, B: Body> Frame<'a, B> {
     #[inline]
     #[must_use]
     pub fn find(&self, id: BodyId) -> Option<(usize, B)> {
-        let index = id::position(self.ids, id)?;
+        let index = self.place(id)?;
         Some((index, *self.bodies().get(index)?))
+    }
+
+    /// Where the body of that name stands. Not inlined where size counts.
+    pub(crate) fn place(&self, id: BodyId) -> Option<usize> {
+        id::position(self.ids, id)
+    }
+
+    /// The two bodies at those places, to read and to push; `None` if they are one.
+    #[inline]
+    pub(crate) fn pair(&mut self, i: usize, j: usize) -> Option<([B; 2], [&mut B; 2])> {
+        let seen = self.bodies();
+        let seen = [*seen.get(i)?, *seen.get(j)?];
+        Some((seen, self.live_pair(i, j)?))
     }
 
     /// The bodies to push, in the same order.
@@ -145,7 +158,9 @@ impl<'a, B: Body> Frame<'a, B> {
     /// The two bodies to push at those places; `None` if they are one.
     #[inline]
     pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
-        self.live.get_disjoint_mut([i, j]).ok()
+        let (front, back) = self.live.split_at_mut_checked(i.max(j))?;
+        let (low, high) = (front.get_mut(i.min(j))?, back.first_mut()?);
+        Some(if i < j { [low, high] } else { [high, low] })
     }
 }
 

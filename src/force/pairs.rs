@@ -72,12 +72,11 @@ impl<B: Body, L: PairForce<B>, P: AsRef<[[BodyId; 2]]>> Force<B> for Pairs<L, P>
     #[inline]
     fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
         for pair in self.pairs.as_ref() {
-            let [first, second] = pair.map(|id| frame.find(id));
-            let (Some((i, first)), Some((j, second))) = (first, second) else {
+            let (Some(i), Some(j)) = (frame.place(pair[0]), frame.place(pair[1])) else {
                 continue;
             };
-            if let Some(live) = frame.live_pair(i, j) {
-                self.law.act(now, [&first, &second], live);
+            if let Some((seen, live)) = frame.pair(i, j) {
+                self.law.act(now, [&seen[0], &seen[1]], live);
             }
         }
     }
@@ -119,12 +118,8 @@ impl<B: Body, L: PairForce<B>> Force<B> for AllPairs<L> {
     fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
         for j in 1..frame.bodies().len() {
             for i in 0..j {
-                let seen = frame.bodies();
-                let (Some(&first), Some(&second)) = (seen.get(i), seen.get(j)) else {
-                    return;
-                };
-                if let Some(live) = frame.live_pair(i, j) {
-                    self.0.act(now, [&first, &second], live);
+                if let Some((seen, live)) = frame.pair(i, j) {
+                    self.0.act(now, [&seen[0], &seen[1]], live);
                 }
             }
         }

@@ -31,8 +31,8 @@ pub(super) fn root_u64(n: u64) -> (u32, u32) {
     let half = (r << 15) + (b >> 1);
     let divisor = s | 1 << 15;
     let (q, u) = (half / divisor, (half % divisor) << 1 | b & 1);
-    let low = (u as u64) << 16 | c as u64;
-    let less = low < q as u64 * q as u64;
+    // Both digits are at most 2^16: compared in 32 bits.
+    let less = u >> 16 == 0 && (q >> 16 != 0 || (u << 16 | c) < q * q);
     let root = (s << 16).wrapping_add(q).wrapping_sub(less as u32);
     (root, words + up)
 }

@@ -103,12 +103,13 @@ macro_rules! raw {
 
             #[inline]
             fn length(v: [$raw; 2]) -> $raw {
-                let [x, y] = v.map(|a| a.product(a) as $unsigned_wide);
-                let square = x + y;
+                let [x, y] = v;
+                let square = x.product(x) as $unsigned_wide + y.product(y) as $unsigned_wide;
                 let (root, up) = $root(square);
                 let root = root >> (up / 2);
-                let rest = square - root as $unsigned_wide * root as $unsigned_wide;
-                let up = (rest > root as $unsigned_wide) as $unsigned;
+                // At most twice a root that is not clamped.
+                let rest = (square as $unsigned).wrapping_sub(root.wrapping_mul(root));
+                let up = (rest > root) as $unsigned;
                 root.saturating_add(up).min($raw::MAX as $unsigned) as $raw
             }
 
@@ -116,8 +117,10 @@ macro_rules! raw {
             // of bits, its root has as many bits as `$unsigned`, its inverse one less.
             #[inline]
             fn inverse_length(v: [$raw; 2], s: $raw) -> ($raw, u32) {
-                let [x, y, s] = [v[0], v[1], s].map(|a| a.product(a) as $unsigned_wide);
-                let square = x.wrapping_add(y).wrapping_add(s);
+                let [x, y] = v;
+                let square = (x.product(x) as $unsigned_wide)
+                    .wrapping_add(y.product(y) as $unsigned_wide)
+                    .wrapping_add(s.product(s) as $unsigned_wide);
                 let (root, up) = $root(square);
                 let Some(root) = NonZero::new(root) else {
                     return (0, 0);
