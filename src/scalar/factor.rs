@@ -143,10 +143,9 @@ impl<R: Raw> Coef<R> {
                 shift: shift - up,
             },
             Some(excess) => {
-                let lost = excess.min(R::BITS);
-                let mantissa = R::rounded(mantissa.product(R::signed(1, false)), lost);
+                let shift = excess.min(R::BITS);
                 Coef {
-                    mantissa,
+                    mantissa: Coef { mantissa, shift }.of(R::signed(1, false)),
                     shift: Self::MAX_SHIFT,
                 }
             }
