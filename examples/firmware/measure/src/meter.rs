@@ -147,7 +147,8 @@ impl<T: Board> Meter for Priced<'_, T> {
         let out = self.begin(name);
         let mut each = None;
         let mut worst = 0;
-        let mut deepest = None;
+        // The first step is the deepest: it makes what is kept from then on.
+        let deepest = stack::used(self.board, || worst = self.counted(|| start.run(1)));
         for (i, &ticks) in name.ticks.iter().enumerate() {
             if i == 2 {
                 let counted = self.counted(|| start.run(STEPS));
@@ -155,7 +156,6 @@ impl<T: Board> Meter for Priced<'_, T> {
                 for _ in 0..STEPS {
                     worst = worst.max(self.counted(|| start.run(1)));
                 }
-                deepest = stack::used(self.board, || start.run(1));
             }
             let done = start.world.tick() as u32;
             start.run(ticks.saturating_sub(done));

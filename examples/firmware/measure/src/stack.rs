@@ -11,9 +11,11 @@ const PAINT: usize = 0x5a5a_a5a5;
 /// Bytes that `work` takes. Painting is inlined, so that nothing stands below the stack pointer.
 #[inline(never)]
 pub fn used(board: &impl Board, work: impl FnOnce()) -> Option<usize> {
-    let bottom = board.stack_bottom()?;
     let here = stack_pointer();
-    let words = (here.checked_sub(bottom)? / size_of::<usize>()).min(WORDS);
+    let room = board
+        .stack_bottom()
+        .map_or(0, |bottom| here.saturating_sub(bottom));
+    let words = (room / size_of::<usize>()).min(WORDS);
     let deepest = here - words * size_of::<usize>();
     paint(deepest, words);
     work();
