@@ -14,6 +14,7 @@ use core::num::NonZero;
 
 use crate::error::Error;
 use crate::ratio::Ratio;
+use crate::scalar::divide_words;
 
 /// Turns the counts of a clock (microseconds, timer ticks, frames of a display) into steps.
 ///
@@ -106,7 +107,8 @@ impl Accumulator {
         let more = word(counts)?.checked_mul(word(self.per_count)?)?;
         // Less than a step.
         let total = more.checked_add(self.rest as usize)?;
-        Some(((total / per_step) as u64, (total % per_step) as u64))
+        let (due, rest) = divide_words(total, per_step)?;
+        Some((due as u64, rest as u64))
     }
 
     /// The same for any number of counts.

@@ -80,10 +80,10 @@ pub(super) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
     }
     let up = divisor.leading_zeros();
     let (high, low) = shifted(high, low, up);
-    let (mut quotient, mut rest) = (0, high);
-    for low in [low >> 16, low & 0xFFFF] {
-        let next = digit(rest, low, divisor.get() << up);
-        (quotient, rest) = (quotient << 16 | next.0, next.1);
+    let (mut quotient, mut rest, mut low) = (0, high, low);
+    for _ in 0..2 {
+        let next = digit(rest, low >> 16, divisor.get() << up);
+        (quotient, rest, low) = (quotient << 16 | next.0, next.1, low << 16);
     }
     Some((quotient, rest >> up))
 }
@@ -104,6 +104,22 @@ fn digit(high: u32, low: u32, divisor: u32) -> (u32, u32) {
         digit,
         (high << 16 | low).wrapping_sub(digit.wrapping_mul(divisor)),
     )
+}
+
+/// Quotient and rest of words of the machine; `None` where that takes a core too long that cannot divide.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline]
+pub(crate) fn divide_words(n: usize, divisor: NonZero<usize>) -> Option<(usize, usize)> {
+    Some((n / divisor, n % divisor))
+}
+
+/// The same on cores that cannot divide.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline]
+pub(crate) fn divide_words(n: usize, divisor: NonZero<usize>) -> Option<(usize, usize)> {
+    let divisor = NonZero::new(divisor.get() as u32).filter(|by| by.get() >> 31 == 0)?;
+    let (quotient, rest) = super::bitwise::divide_short(n as u64, divisor)?;
+    Some((quotient as usize, rest as usize))
 }
 
 pub(super) fn root_u128(n: u128) -> (u64, u32) {

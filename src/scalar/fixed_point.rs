@@ -119,7 +119,7 @@ macro_rules! fixed_scalar {
             }
 
             fn under(self, sum: Self::Sum) -> Self {
-                $fixed::from_bits(Raw::quotient(sum, self.to_bits()))
+                $fixed::from_bits(Raw::short_quotient(sum, self.to_bits()))
             }
 
             fn length(v: [Self; 2]) -> Self {

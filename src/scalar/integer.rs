@@ -2,13 +2,35 @@
 
 use core::num::NonZero;
 
-use super::division::{divide_u64, divide_u128, root_u64, root_u128};
+// ARM cores without a division are told as in `high_product.rs`.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+use super::bitwise::{divide_short, root_u64};
+use super::division::{divide_u64, divide_u128, root_u128};
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+use super::division::{divide_u64 as divide_short, root_u64};
 use super::high_product::{high_product_i32, high_product_i64};
 use super::raw::Raw;
 
+/// A quotient, rounded, by a division of what has no sign.
+macro_rules! nearest {
+    ($raw:ident, $unsigned:ident, $divide:path, $wide:ident, $divisor:ident) => {{
+        let Some(divisor) = NonZero::new($divisor.max(0) as $unsigned) else {
+            return 0;
+        };
+        let value = match $divide($wide.unsigned_abs(), divisor) {
+            Some((whole, rest)) => {
+                let up = (rest >= divisor.get() - rest) as $unsigned;
+                whole.saturating_add(up).min($raw::MAX as $unsigned) as $raw
+            }
+            None => $raw::MAX,
+        };
+        if $wide < 0 { -value } else { value }
+    }};
+}
+
 macro_rules! raw {
     ($raw:ident, $unsigned:ident, $wide:ident, $unsigned_wide:ident, $high_product:path, $root:path,
-     $divide:path) => {
+     $divide:path, $short:path) => {
         impl Raw for $raw {
             type Wide = $wide;
 
@@ -88,17 +110,12 @@ macro_rules! raw {
 
             #[inline]
             fn quotient(wide: $wide, divisor: $raw) -> $raw {
-                let Some(divisor) = NonZero::new(divisor.max(0) as $unsigned) else {
-                    return 0;
-                };
-                let value = match $divide(wide.unsigned_abs(), divisor) {
-                    Some((whole, rest)) => {
-                        let up = (rest >= divisor.get() - rest) as $unsigned;
-                        whole.saturating_add(up).min($raw::MAX as $unsigned) as $raw
-                    }
-                    None => $raw::MAX,
-                };
-                if wide < 0 { -value } else { value }
+                nearest!($raw, $unsigned, $divide, wide, divisor)
+            }
+
+            #[inline]
+            fn short_quotient(wide: $wide, divisor: $raw) -> $raw {
+                nearest!($raw, $unsigned, $short, wide, divisor)
             }
 
             #[inline]
@@ -208,7 +225,16 @@ macro_rules! raw {
     };
 }
 
-raw!(i32, u32, i64, u64, high_product_i32, root_u64, divide_u64);
+raw!(
+    i32,
+    u32,
+    i64,
+    u64,
+    high_product_i32,
+    root_u64,
+    divide_u64,
+    divide_short
+);
 raw!(
     i64,
     u64,
@@ -216,5 +242,6 @@ raw!(
     u128,
     high_product_i64,
     root_u128,
+    divide_u128,
     divide_u128
 );

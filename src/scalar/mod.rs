@@ -16,10 +16,19 @@
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
+#[cfg_attr(
+    not(all(target_arch = "arm", not(target_has_atomic = "32"))),
+    allow(dead_code)
+)]
+mod bitwise;
 mod carry;
 mod carry_fixed;
 mod carry_float;
 mod decay;
+#[cfg_attr(
+    all(target_arch = "arm", not(target_has_atomic = "32")),
+    allow(dead_code)
+)]
 mod division;
 mod factor;
 mod fine;
@@ -33,6 +42,8 @@ mod stored;
 use core::fmt::Debug;
 
 use crate::ratio::Ratio;
+
+pub(crate) use division::divide_words;
 
 pub use carry::Carry;
 pub use decay::Decay;

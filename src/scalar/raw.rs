@@ -39,6 +39,9 @@ pub trait Raw: Copy + Debug + PartialEq + 'static {
     /// `wide / divisor`, rounded and clamped as above; zero for a divisor that is not positive.
     fn quotient(wide: Self::Wide, divisor: Self) -> Self;
 
+    /// The same: cheaper where the quotient has few digits, as velocities and impulses have.
+    fn short_quotient(wide: Self::Wide, divisor: Self) -> Self;
+
     /// The integer nearest to the square root of `x² + y²`, clamped.
     fn length(v: [Self; 2]) -> Self;
 
