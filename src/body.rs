@@ -261,6 +261,11 @@ impl<S: Scalar> Body for Point<S> {
     }
 
     #[inline]
+    fn brake_by(&mut self, value: Vec2<S>, factor: S::Coef) {
+        self.velocity -= value.scaled(factor);
+    }
+
+    #[inline]
     fn push(&mut self, impulse: Vec2<S>) {
         self.velocity += impulse.scaled(self.inv_mass);
     }
