@@ -9,6 +9,9 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent.parent
 PINNED = ["rustc-web", "cargo-web", "rust-web-src", "lld-22"]
 PINNED_RUST = "1.96."
+# That of the images, for what is not in their workspace: so `core` is compiled once.
+PROFILE = {f"CARGO_PROFILE_RELEASE_{key}": value for key, value in
+           {"LTO": "true", "CODEGEN_UNITS": "1", "PANIC": "abort", "DEBUG": "false"}.items()}
 cargo_at_work = threading.Lock()
 
 
@@ -66,7 +69,7 @@ def debian(package, command):
 
 def cargo(triple, linker, level, out, pinned, arguments):
     """One folder for all targets and levels, so that what runs on the host is compiled once."""
-    environment = os.environ | {"CARGO_PROFILE_RELEASE_OPT_LEVEL": level, "CARGO_TARGET_DIR": str(out / "all")}
+    environment = os.environ | {"CARGO_PROFILE_RELEASE_OPT_LEVEL": level, "CARGO_TARGET_DIR": str(out / "all")} | PROFILE
     command = ["cargo"]
     arguments = [*arguments, "--quiet", "--release", "--target", triple]
     if pinned or not rustup_has(triple):
@@ -134,10 +137,14 @@ def draw(emulator, image, options):
     return folder
 
 
+def template(out, pinned):
+    """The image of the firmware to copy."""
+    arguments = ["build", "--manifest-path", "template/Cargo.toml"]
+    cargo("thumbv6m-none-eabi", "ld.lld-22", "3", out, pinned, arguments)
+    return out / "all/thumbv6m-none-eabi/release/my-firmware"
+
+
 def check_features(out, pinned):
-    """With every feature the library still needs neither std nor a heap; in the profile of the images,
-    so that `core` is there already."""
-    profile = {"LTO": "true", "CODEGEN_UNITS": "1", "PANIC": "abort", "DEBUG": "false"}
-    os.environ.update({f"CARGO_PROFILE_RELEASE_{key}": value for key, value in profile.items()})
+    """With every feature of its own the library still needs neither std nor a heap."""
     arguments = ["check", "--manifest-path", "../../Cargo.toml", "--lib", "--features", "serde defmt mint"]
     cargo("thumbv6m-none-eabi", "ld.lld-22", "3", out, pinned, arguments)

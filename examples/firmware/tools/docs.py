@@ -41,6 +41,8 @@ def pages(table):
         "src/guide.rs": fill("src/guide.rs", [("//! " + bodies, lambda cells: figures.bodies(cells, str))]),
         f"{FIRMWARE}/gba/README.md": fill(f"{FIRMWARE}/gba/README.md", [("| step | Thumb in", figures.console)]),
     }
+    sentence = [(r"image takes (\d+) bytes", str(table.template))]
+    filled[f"{FIRMWARE}/template/README.md"] = fill(f"{FIRMWARE}/template/README.md", [], sentence)
     texts = {ROOT / path: text.encode() for path, text in filled.items()}
     return texts | {ROOT / FIRMWARE / path: content for path, content in table.pictures.items()}
 

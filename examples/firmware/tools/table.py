@@ -19,6 +19,8 @@ class Table:
         self.forbidden = {}
         # Pictures, by where they are committed.
         self.pictures = {}
+        # Bytes of the firmware to copy.
+        self.template = None
 
     @staticmethod
     def joined(tables):
@@ -28,6 +30,7 @@ class Table:
             all_rows.calibrations += table.calibrations
             all_rows.forbidden |= table.forbidden
             all_rows.pictures |= table.pictures
+            all_rows.template = all_rows.template or table.template
         return all_rows
 
     @staticmethod
@@ -54,8 +57,7 @@ class Table:
 
     def add_picture(self, target, folder, image):
         """Pictures that an image has drawn."""
-        symbols = self.symbols(target, image)
-        assert all(found in ("0", "-") for found in symbols.values()), f"{image}: {symbols}"
+        self.clean(target, image)
         self.pictures |= {f"{target.name}/{picture.name}": picture.read_bytes() for picture in folder.glob("*.png")}
 
     def add_weight(self, target, level, image, empty):
@@ -74,6 +76,15 @@ class Table:
         scene = f"flash gravity 1/64 at {level}" + (f" + {MORE[name]}" if name in MORE else "")
         row = dict.fromkeys(COLUMNS, "-") | {"target": target.triple, "scene": scene, "flash_bytes": flash}
         self.rows.append(row | symbols)
+
+    def add_template(self, target, image):
+        self.clean(target, image)
+        self.template = elf.flash(image)
+
+    def clean(self, target, image):
+        """An image without a row must have no symbol that a row would tell of."""
+        symbols = self.symbols(target, image)
+        self.forbidden[f"{target.name} {image.name}"] += [name for name, found in symbols.items() if found != "0"]
 
     def symbols(self, target, image):
         found = elf.symbols(image)
