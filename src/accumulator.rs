@@ -111,34 +111,37 @@ impl Accumulator {
         Some((due as u64, rest as u64))
     }
 
-    /// The same for any number of counts.
+    /// The same for any number of counts; more steps than 64 bits hold saturate.
     #[cold]
     #[inline(never)]
     fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
-        let count = self.times(self.per_count, (0, 1));
-        let (due, rest) = self.times(counts, count);
+        let mut clock = Accumulator { rest: 1, ..*self };
+        let count = clock.multiply(clock.per_count, 0);
+        let due = clock.multiply(counts, count);
         // Both rests together may be a step.
-        self.times(1, (due, rest + self.rest))
+        clock.rest += self.rest;
+        (clock.multiply(1, due), clock.rest)
     }
 
-    /// `n` times so many steps and a part, up to two, as steps, which saturate, and a rest.
+    /// `n` times so many steps and the rest, which is below two steps and ends below one.
     ///
     /// Bit by bit, from the highest: a division of 64 bits is 600 bytes on a core that has none, for what
     /// its clock meets after minutes, or where it and the step share no large unit.
     #[inline(never)]
-    fn times(&self, mut n: u64, (whole, part): (u64, u64)) -> (u64, u64) {
+    fn multiply(&mut self, mut n: u64, steps: u64) -> u64 {
         let (mut due, mut rest) = (0_u64, 0);
         for _ in 0..u64::BITS {
             (due, rest) = (due.saturating_add(due), 2 * rest);
             if n >> 63 != 0 {
-                (due, rest) = (due.saturating_add(whole), rest + part);
+                (due, rest) = (due.saturating_add(steps), rest + self.rest);
             }
             while let Some(less) = rest.checked_sub(self.per_step.get()) {
                 (due, rest) = (due.saturating_add(1), less);
             }
             n <<= 1;
         }
-        (due, rest)
+        self.rest = rest;
+        due
     }
 
     /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
@@ -188,11 +191,8 @@ mod tests {
             let total = counts as u128 * per_count as u128 + rest as u128;
             let due = u64::try_from(total / per_step as u128).unwrap_or(u64::MAX);
             let expected = (due, (total % per_step as u128) as u64);
-            assert_eq!(
-                clock.after_a_long_time(counts),
-                expected,
-                "{clock:?} {counts}"
-            );
+            let after = clock.after_a_long_time(counts);
+            assert_eq!(after, expected, "{clock:?} {counts}");
         }
     }
 }
