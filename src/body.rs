@@ -265,7 +265,6 @@ impl<S: Scalar> Body for Point<S> {
         self.velocity -= value.scaled(factor);
     }
 
-    #[inline]
     fn push(&mut self, impulse: Vec2<S>) {
         self.velocity += impulse.scaled(self.inv_mass);
     }
