@@ -138,9 +138,13 @@ impl<'a, B: Body> Frame<'a, B> {
     /// The two bodies at those places, to read and to push; `None` if they are one.
     #[inline]
     pub(crate) fn pair(&mut self, i: usize, j: usize) -> Option<([B; 2], [&mut B; 2])> {
-        let seen = self.bodies();
-        let seen = [*seen.get(i)?, *seen.get(j)?];
-        Some((seen, self.live_pair(i, j)?))
+        let split = self.seen;
+        let live = self.live_pair(i, j)?;
+        let seen = match split {
+            None => [*live[0], *live[1]],
+            Some(seen) => [*seen.get(i)?, *seen.get(j)?],
+        };
+        Some((seen, live))
     }
 
     /// The bodies to push, in the same order.
