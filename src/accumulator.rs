@@ -14,7 +14,7 @@ use core::num::NonZero;
 
 use crate::error::Error;
 use crate::ratio::Ratio;
-use crate::scalar::divide_words;
+use crate::scalar::{Word, divide_words};
 
 /// Turns the counts of a clock (microseconds, timer ticks, frames of a display) into steps.
 ///
@@ -99,14 +99,16 @@ impl Accumulator {
         }
     }
 
-    /// Whole steps and rest, as long as a word of the machine holds them: the usual case by far.
+    /// Whole steps and rest, as long as one word holds them: so with a clock of microseconds at 60 Hz, and
+    /// whatever else has a common unit with the step that is not too short.
+    #[allow(clippy::unnecessary_cast, reason = "a word may be shorter")]
     #[inline]
     fn after_a_frame(&self, counts: u64) -> Option<(u64, u64)> {
-        let word = |n: u64| usize::try_from(n).ok();
+        let word = |n: u64| Word::try_from(n).ok();
         let per_step = NonZero::new(word(self.per_step.get())?)?;
         let more = word(counts)?.checked_mul(word(self.per_count)?)?;
         // Less than a step.
-        let total = more.checked_add(self.rest as usize)?;
+        let total = more.checked_add(self.rest as Word)?;
         let (due, rest) = divide_words(total, per_step)?;
         Some((due as u64, rest as u64))
     }
@@ -115,33 +117,14 @@ impl Accumulator {
     #[cold]
     #[inline(never)]
     fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
-        let mut clock = Accumulator { rest: 1, ..*self };
-        let count = clock.multiply(clock.per_count, 0);
-        let due = clock.multiply(counts, count);
-        // Both rests together may be a step.
-        clock.rest += self.rest;
-        (clock.multiply(1, due), clock.rest)
-    }
-
-    /// `n` times so many steps and the rest, which is below two steps and ends below one.
-    ///
-    /// Bit by bit, from the highest: a division of 64 bits is 600 bytes on a core that has none, for what
-    /// its clock meets after minutes, or where it and the step share no large unit.
-    #[inline(never)]
-    fn multiply(&mut self, mut n: u64, steps: u64) -> u64 {
-        let (mut due, mut rest) = (0_u64, 0);
-        for _ in 0..u64::BITS {
-            (due, rest) = (due.saturating_add(due), 2 * rest);
-            if n >> 63 != 0 {
-                (due, rest) = (due.saturating_add(steps), rest + self.rest);
-            }
-            while let Some(less) = rest.checked_sub(self.per_step.get()) {
-                (due, rest) = (due.saturating_add(1), less);
-            }
-            n <<= 1;
+        let per_step = self.per_step.get();
+        let count = multiplied(self.per_count, (0, 1), per_step);
+        let (due, rest) = multiplied(counts, count, per_step);
+        let rest = rest + self.rest;
+        match rest.checked_sub(per_step) {
+            Some(less) => (due.saturating_add(1), less),
+            None => (due, rest),
         }
-        self.rest = rest;
-        due
     }
 
     /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
@@ -154,6 +137,27 @@ impl Accumulator {
     pub fn reset(&mut self) {
         self.rest = 0;
     }
+}
+
+/// `n` times so many steps and a rest, which is at most one step and ends below one.
+///
+/// Bit by bit, from the highest: a division of 64 bits is a long routine on a core that has none, for what
+/// its clock meets after minutes, or where it and the step share no large unit.
+#[inline(never)]
+fn multiplied(mut n: u64, (steps, part): (u64, u64), per_step: u64) -> (u64, u64) {
+    let (mut due, mut rest) = (0_u64, 0_u64);
+    for _ in 0..u64::BITS {
+        // Below three steps of at most 2^62, as `new` refuses more.
+        (due, rest) = (due.saturating_add(due), 2 * rest);
+        if n >> 63 != 0 {
+            (due, rest) = (due.saturating_add(steps), rest + part);
+        }
+        while let Some(less) = rest.checked_sub(per_step) {
+            (due, rest) = (due.saturating_add(1), less);
+        }
+        n <<= 1;
+    }
+    (due, rest)
 }
 
 /// Euclid's; of numbers greater than zero.
@@ -179,9 +183,14 @@ mod tests {
                 .wrapping_add(1_442_695_040_888_963_407);
             (seed ^ seed >> 32) >> (seed >> 58)
         };
-        for _ in 0..100_000 {
+        for round in 0..100_000 {
             let (per_count, per_step) = (random() >> 2, random() >> 2 | 1);
             let (rest, counts) = (random() % per_step, random());
+            let largest = (1 << 62, 1 << 62, (1 << 62) - 1, u64::MAX);
+            let (per_count, per_step, rest, counts) = match round {
+                0 => largest,
+                _ => (per_count, per_step, rest, counts),
+            };
             let clock = Accumulator {
                 per_count,
                 per_step: NonZero::new(per_step).unwrap_or(NonZero::<u64>::MIN),

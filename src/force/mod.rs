@@ -135,12 +135,12 @@ impl<'a, B: Body> Frame<'a, B> {
         id::position(self.ids, id)
     }
 
-    /// The two bodies at those places, to read and to push; `None` if they are one.
+    /// The two bodies at those places, to read and to push; `None` if they are one, or not there.
     #[inline]
     pub(crate) fn pair(&mut self, i: usize, j: usize) -> Option<([B; 2], [&mut B; 2])> {
-        let split = self.seen;
+        let apart = self.seen;
         let live = self.live_pair(i, j)?;
-        let seen = match split {
+        let seen = match apart {
             None => [*live[0], *live[1]],
             Some(seen) => [*seen.get(i)?, *seen.get(j)?],
         };
@@ -159,7 +159,7 @@ impl<'a, B: Body> Frame<'a, B> {
         self.live.get_mut(index)
     }
 
-    /// The two bodies to push at those places; `None` if they are one.
+    /// The two bodies to push at those places; `None` if they are one, or not there.
     #[inline]
     pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
         let (front, back) = self.live.split_at_mut_checked(i.max(j))?;

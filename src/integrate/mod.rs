@@ -181,12 +181,15 @@ fn each<B>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
     }
 }
 
+/// Six registers: a point of 32 bits (20 bytes) stays where it is, a carried one (32) is moved.
+const FEW_BYTES: usize = 24;
+
 /// The same for a loop that kicks and drifts. A body of many words is taken out and put back: a word that
 /// is stored in the middle keeps the compiler from loading and storing the others together.
 #[inline(always)]
 fn each_whole<B: Body>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
     each(bodies, |body| {
-        if size_of::<B>() <= 24 {
+        if size_of::<B>() <= FEW_BYTES {
             return f(body);
         }
         let mut whole = *body;

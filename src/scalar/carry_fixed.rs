@@ -36,8 +36,8 @@ fn rest_of(rest: i16, whole: i32) -> i32 {
     (rest as i32).wrapping_mul((whole + (1 << (FINE - 1))) >> FINE)
 }
 
-/// The same for factors from a quarter on, and for those whose fraction has more bits than
-/// [`ODD_SHIFT`] promises.
+/// The same for factors from a quarter on, for those below 2^-31, and for those whose fraction has more bits
+/// than [`ODD_SHIFT`] promises.
 #[cold]
 fn far(place: i64, (value, rest): (i32, i16), mantissa: i32, shift: u32) -> i64 {
     if (33..=62).contains(&shift) {
@@ -103,6 +103,7 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
     // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
     // by 2^-32 of such a unit, so that its product never lies half-way: see `factor.rs`. The
     // remainder of the velocity takes 2^-15 of the whole number, rounded: 11 bits at 60 Hz, 7 at 1 kHz.
+    // It is at most 2^14, the number 2^30: so that part is at most 2^29, the product's 2^30, and 32 bits do.
     #[inline]
     fn drifted(place: i64, (v, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {
         let (mantissa, shift) = h.parts();
@@ -255,6 +256,8 @@ mod tests {
                 0,
             );
             assert_eq!(near, far(place, (value, rest), mantissa, shift));
+            // What two short products rely on, where there is no long one.
+            assert!(shift > 48 || parted(mantissa, shift).1 & 0xFFFF == 1);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Root and quotient of a number of 64 bits by divisions of 32, which a small core has or makes fast.
+//! Root and quotient of a number of 64 bits by divisions of 32, which a core has or calls.
 //!
 //! ```text
 //! n = a B² + b B + c      B = 2^16, then 2^8;  one of the highest two bits is set
@@ -31,7 +31,7 @@ pub(super) fn root_u64(n: u64) -> (u32, u32) {
     let half = (r << 15) + (b >> 1);
     let divisor = s | 1 << 15;
     let (q, u) = (half / divisor, (half % divisor) << 1 | b & 1);
-    // Both digits are at most 2^16: compared in 32 bits.
+    // q is at most 2^16, for r is at most 2 s; a rest u from 2^16 on is at least q². So 32 bits compare.
     let less = u >> 16 == 0 && (q >> 16 != 0 || (u << 16 | c) < q * q);
     let root = (s << 16).wrapping_add(q).wrapping_sub(less as u32);
     (root, words + up)
@@ -106,20 +106,25 @@ fn digit(high: u32, low: u32, divisor: u32) -> (u32, u32) {
     )
 }
 
-/// Quotient and rest of words of the machine; `None` where that takes a core too long that cannot divide.
+/// What is divided at once: a core of 32 bits has no division of 64.
+#[cfg(target_pointer_width = "64")]
+pub(crate) type Word = u64;
+#[cfg(not(target_pointer_width = "64"))]
+pub(crate) type Word = u32;
+
+/// Quotient and rest of words; on cores that cannot divide `None` for a divisor from 2^31 on.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline]
-pub(crate) fn divide_words(n: usize, divisor: NonZero<usize>) -> Option<(usize, usize)> {
+pub(crate) fn divide_words(n: Word, divisor: NonZero<Word>) -> Option<(Word, Word)> {
     Some((n / divisor, n % divisor))
 }
 
 /// The same on cores that cannot divide.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline]
-pub(crate) fn divide_words(n: usize, divisor: NonZero<usize>) -> Option<(usize, usize)> {
-    let divisor = NonZero::new(divisor.get() as u32).filter(|by| by.get() >> 31 == 0)?;
-    let (quotient, rest) = super::bitwise::divide_short(n as u64, divisor)?;
-    Some((quotient as usize, rest as usize))
+pub(crate) fn divide_words(n: Word, divisor: NonZero<Word>) -> Option<(Word, Word)> {
+    let divisor = Some(divisor).filter(|by| by.get() >> 31 == 0)?;
+    super::bitwise::divide_short(n.into(), divisor)
 }
 
 pub(super) fn root_u128(n: u128) -> (u64, u32) {

@@ -123,6 +123,7 @@ impl<R: Raw> Coef<R> {
         self.mantissa == R::signed(0, false)
     }
 
+    // Not `#[inline]`, as some others: shared where size counts.
     pub(super) fn of(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }

@@ -37,7 +37,7 @@ pub(super) const ODD_SHIFT: u32 = 62;
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 pub(super) const ODD_SHIFT: u32 = 48;
 
-/// `sum + a b / 2^32`, the quotient rounded half up, where that fits: SMMLAR on a Cortex-M4.
+/// `sum + a b / 2^32`, the quotient rounded half up; wraps where it does not fit: SMMLAR on a Cortex-M4.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
 pub(super) fn rounded_sum_i32(sum: i32, a: i32, b: i32) -> i32 {
@@ -52,7 +52,7 @@ pub(super) fn rounded_sum_i32(sum: i32, a: i32, b: i32) -> i32 {
 }
 
 /// With `b = B 2^16 + 1` and a half up, what is below `2^16` carries nothing: it is the lower half of a.
-/// No sum wraps: `(2^16 - 1) B + a / 2^16 + 2^15` lies between `-2^31 + 2^15` and `2^31 - 2^16`.
+/// No sum wraps: `(2^16 - 1) B + a / 2^16 + 2^15` lies between `-2^31 + 2^15` and `2^31 - 2^15`.
 #[cfg_attr(
     not(all(target_arch = "arm", not(target_has_atomic = "32"))),
     allow(dead_code)

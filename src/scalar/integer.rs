@@ -176,7 +176,7 @@ macro_rules! raw {
                 let less = self.wrapping_add(self.wrapping_sub(1) >> MASK);
                 match shift {
                     1 => (less >> 1) + (less & 1),
-                    _ => ((less >> (shift - 1 & MASK)) + 1) >> 1,
+                    _ => ((less >> (shift.wrapping_sub(1) & MASK)) + 1) >> 1,
                 }
             }
 

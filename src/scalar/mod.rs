@@ -43,7 +43,7 @@ use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
-pub(crate) use division::divide_words;
+pub(crate) use division::{Word, divide_words};
 
 pub use carry::Carry;
 pub use decay::Decay;

@@ -29,9 +29,9 @@ fn the_largest_count_comes_out_exactly_again_and_again() {
 // nothing left over that many thirds still fit 64 bits, with 1/50,000 of a step they do not.
 #[test]
 fn the_paths_meet_at_the_last_count_that_fits() {
-    const LAST: u64 = u64::MAX / 3;
-    for rest in 0..3 {
-        for more in [LAST - 1, LAST, LAST + 1, LAST + 2] {
+    let last = [u64::MAX / 3, u64::from(u32::MAX) / 3]; // that a word of 64 and of 32 bits takes
+    for (rest, last) in (0..3).flat_map(|rest| last.map(|last| (rest, last))) {
+        for more in [last - 1, last, last + 1, last + 2] {
             let mut clock = Accumulator::new(1_000_000, ratio(1, 60), 4).unwrap();
             let mut exact = Exact::new(1_000_000, ratio(1, 60));
             advance(&mut clock, &mut exact, rest);

@@ -35,9 +35,9 @@ def need(targets, pinned):
         subprocess.run(["apt-get", "update", "-qq"], **quiet)
         subprocess.run(["apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages], **quiet)
         return
-    triples = " ".join(target.triple for target in targets)
+    triples = " ".join(target.triple for target in targets if target.name != "gba")  # rustup has none for it
     raise Missing(f"missing: apt-get install --no-install-recommends {' '.join(packages)}\n"
-                  f"(of these {' '.join(PINNED)} only without: rustup target add {triples})")
+                  f"(of these {' '.join(PINNED)} only for gba, and without: rustup target add {triples})")
 
 
 def lacking(packages):
@@ -57,6 +57,8 @@ def installed(package):
 
 
 def rustup_has(triple):
+    if not shutil.which("rustc"):
+        return False
     sysroot = subprocess.run(["rustc", "--print", "sysroot"], capture_output=True, text=True).stdout.strip()
     return (Path(sysroot) / "lib/rustlib" / triple / "lib").is_dir()
 
@@ -70,6 +72,8 @@ def debian(package, command):
 def cargo(triple, linker, level, out, pinned, arguments):
     """One folder for all targets and levels, so that what runs on the host is compiled once."""
     environment = os.environ | {"CARGO_PROFILE_RELEASE_OPT_LEVEL": level, "CARGO_TARGET_DIR": str(out / "all")} | PROFILE
+    for flags in ("RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_RUSTFLAGS"):
+        environment.pop(flags, None)  # they would take the place of a board's own
     command = ["cargo"]
     arguments = [*arguments, "--quiet", "--release", "--target", triple]
     if pinned or not rustup_has(triple):
@@ -129,7 +133,8 @@ def run(target, emulator, image):
 def draw(emulator, image, options):
     """The folder with the pictures of an image."""
     folder = image.parent / "pictures"
-    folder.mkdir(exist_ok=True)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
     done = subprocess.run([*emulator, *(option.format(folder) for option in options), image], cwd=HERE,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=900)
     if done.returncode:
@@ -142,6 +147,17 @@ def template(out, pinned):
     arguments = ["build", "--manifest-path", "template/Cargo.toml"]
     cargo("thumbv6m-none-eabi", "ld.lld-22", "3", out, pinned, arguments)
     return out / "all/thumbv6m-none-eabi/release/my-firmware"
+
+
+def host_agrees(table, out):
+    """Complaints of the host's test about the hashes of a table."""
+    path = out / "measured.tsv"
+    path.write_text(table.text())
+    environment = {key: value for key, value in os.environ.items() if key != "CARGO_TARGET_DIR"}
+    environment["FIRMWARE_RESULTS"] = str(path.resolve())
+    test = ["cargo", "test", "--quiet", "--test", "firmware", "the_host_makes_the_bits"]
+    done = subprocess.run(test, cwd=HERE.parent.parent, env=environment, capture_output=True, text=True)
+    return [] if done.returncode == 0 else [done.stdout, done.stderr]
 
 
 def check_features(out, pinned):

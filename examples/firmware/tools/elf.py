@@ -7,8 +7,6 @@ from dataclasses import dataclass
 DOUBLES = re.compile(r"__(aeabi_(d|cd|[a-z]+2d)|[a-z]+df)")
 PANICS = re.compile(r"panic|unwrap_failed|expect_failed|slice_index|a_panic_is_possible")
 FORBIDDEN = re.compile(r"__rust_alloc|__rust_realloc|__rdl_|__rg_|^malloc$|^calloc$|__atomic_|__sync_")
-# Names that only say the word.
-HARMLESS = re.compile(r"^(DefaultPreInit|_ZN?.*panic_info)$")
 
 
 @dataclass
@@ -41,6 +39,6 @@ def symbols(image):
     if "main" not in names:
         raise RuntimeError(f"{image} has no names")
     def found(pattern):
-        return [name for name in names if pattern.search(name) and not HARMLESS.match(name)]
+        return [name for name in names if pattern.search(name)]
 
     return Symbols(found(PANICS), [name for name in names if DOUBLES.match(name)], found(FORBIDDEN))

@@ -1,6 +1,8 @@
 """The rows of results.tsv."""
 import difflib
+import re
 
+import build
 import elf
 from targets import MORE
 
@@ -8,6 +10,12 @@ COLUMNS = ("target scene scalar method hash insn_per_body_step cycles_per_body_s
            "ram_bytes stack_bytes panic_symbols f64_symbols").split()
 # What an image prints of a row.
 PRINTED = COLUMNS[1:8] + COLUMNS[9:11]
+
+HASHES = re.compile(r"[0-9a-f]+|\d+:[0-9a-f]+( \d+:[0-9a-f]+)*")
+
+
+def image_key(target, image):
+    return f"{target.name} at {image.parent.parent.name}, {image.name}"
 
 
 class Table:
@@ -47,11 +55,13 @@ class Table:
         symbols = self.symbols(target, image)
         for line in output.splitlines():
             first, *fields = line.split("\t")
-            if not fields:  # `EXIT 0` of the console
+            if line == "EXIT 0":  # of the console
                 continue
             if first == "calibration":
                 self.calibrations.append((target.name, image.name, *map(int, fields)))
                 continue
+            if len(fields) + 1 != len(PRINTED) or not HASHES.fullmatch(fields[2]):
+                raise build.Failed(f"{target.name} {image.name} prints: {line}")
             row = dict.fromkeys(COLUMNS, "-") | dict(zip(PRINTED, [first, *fields])) | symbols
             self.rows.append(row | {"target": target.triple})
 
@@ -64,9 +74,9 @@ class Table:
         """A row of flash: what the image takes more than start-up and exit. The gravity scene, as the
         images are priced, has its row already."""
         name = image.name.removeprefix("with_")
-        symbols = self.symbols(target, image)
+        self.clean(target, image)
         if name in ("empty", "everything", "exact"):
-            return  # their symbols are looked at
+            return
         flash = str(elf.flash(image) - elf.flash(empty))
         if level == "3":
             priced = ("gravity 1/64", "I16F16", "SemiImplicitEuler")
@@ -75,7 +85,7 @@ class Table:
             return
         scene = f"flash gravity 1/64 at {level}" + (f" + {MORE[name]}" if name in MORE else "")
         row = dict.fromkeys(COLUMNS, "-") | {"target": target.triple, "scene": scene, "flash_bytes": flash}
-        self.rows.append(row | symbols)
+        self.rows.append(row | self.symbols(target, image))
 
     def add_template(self, target, image):
         self.clean(target, image)
@@ -84,14 +94,15 @@ class Table:
     def clean(self, target, image):
         """An image without a row must have no symbol that a row would tell of."""
         symbols = self.symbols(target, image)
-        self.forbidden[f"{target.name} {image.name}"] += [name for name, found in symbols.items() if found != "0"]
+        complaints = [name for name, found in symbols.items() if found not in ("0", "-")]
+        self.forbidden[image_key(target, image)] += complaints
 
     def symbols(self, target, image):
         found = elf.symbols(image)
         if found is None:
+            self.forbidden[image_key(target, image)] = []
             return {"panic_symbols": "0", "f64_symbols": "-"}
-        self.forbidden[f"{target.name} {image.name}"] = found.forbidden
-        # f32 and fixed point alone: an image that names f64 would be another.
+        self.forbidden[image_key(target, image)] = list(found.forbidden)
         return {"panic_symbols": str(len(found.panics)), "f64_symbols": str(len(found.doubles))}
 
     def differs_from(self, path, targets):

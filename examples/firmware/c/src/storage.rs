@@ -55,7 +55,7 @@ pub(crate) fn put(storage: &mut Storage, forces: Forces) {
     let scene = ptr::from_mut(storage).cast::<Scene>();
     // SAFETY: the storage is as large and as aligned as a `Scene` (asserted above), and ours alone by
     // `&mut`. Each field is written, none is read or dropped: none has a destructor. The parts go in
-    // one by one, so that the stack never holds a world.
+    // one by one, so that in release code the stack holds no world.
     unsafe {
         (&raw mut (*scene).world).write(World::new());
         (&raw mut (*scene).forces).write(forces);

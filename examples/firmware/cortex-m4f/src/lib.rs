@@ -18,24 +18,31 @@ const INSTRUCTION: u64 = 64;
 const START: [(usize, u32); 3] = [(0x4000_0008, u32::MAX), (VALUE, u32::MAX), (0x4000_0000, 1)];
 const VALUE: usize = 0x4000_0004;
 
-impl Board for This {
+// SAFETY: below the stack of `cortex-m-rt` lies memory that no one uses, and no interrupt is switched on.
+unsafe impl Board for This {
     const COUNTS: Counts = Counts::Instructions;
     const ROUND: u32 = 2;
 
     fn start(&self) {
         for (address, value) in START {
+            // SAFETY: registers of the timer.
             unsafe { core::ptr::write_volatile(address as *mut u32, value) };
         }
     }
 
     #[inline(never)]
-    fn count(&self) -> u32 {
-        let ticks = u32::MAX - unsafe { core::ptr::read_volatile(VALUE as *const u32) };
+    fn ticks(&self) -> u32 {
+        // SAFETY: a register of the timer.
+        u32::MAX - unsafe { core::ptr::read_volatile(VALUE as *const u32) }
+    }
+
+    fn counts(&self, ticks: u32) -> u32 {
         (ticks as u64 * TICK / INSTRUCTION) as u32
     }
 
     #[inline(never)]
     fn spin(&self, rounds: u32) {
+        // SAFETY: it changes one register, which is its own.
         unsafe {
             core::arch::asm!(
                 "adds {0}, #1",

@@ -16,7 +16,8 @@ pub struct This;
 /// Bytes of a line that the log takes at once.
 const LINE: u8 = 255;
 
-impl Board for This {
+// SAFETY: below the stack lies memory behind `.bss` that no one uses; images switch no interrupt on.
+unsafe impl Board for This {
     const COUNTS: Counts = Counts::Cycles;
     const ROUND: u32 = 4;
 
@@ -34,7 +35,7 @@ impl Board for This {
     // In one time whatever it reads: the upper half that belongs to a lower half close before an
     // overflow is the one read before, else the one read after.
     #[inline(never)]
-    fn count(&self) -> u32 {
+    fn ticks(&self) -> u32 {
         let before = TIMER3_COUNT.read();
         let low = TIMER2_COUNT.read();
         let after = TIMER3_COUNT.read();
@@ -86,6 +87,7 @@ impl Board for This {
 #[instruction_set(arm::a32)]
 #[unsafe(link_section = ".iwram.spin")]
 fn spin(rounds: u32) {
+    // SAFETY: it changes one register, which is its own.
     unsafe {
         core::arch::asm!(
             "add {0}, {0}, #1",

@@ -12,7 +12,12 @@ pub enum Counts {
 }
 
 /// A counter, a line to the host and a stack.
-pub trait Board {
+///
+/// # Safety
+///
+/// Nothing but the stack uses the memory from [`Board::stack_bottom`] to the stack pointer, and no interrupt
+/// runs: it is painted.
+pub unsafe trait Board {
     const COUNTS: Counts;
     /// What one round of `spin` takes, in what is counted.
     const ROUND: u32;
@@ -20,8 +25,13 @@ pub trait Board {
     /// Starts the counter.
     fn start(&self);
 
-    /// The counter, which wraps; reading takes a few counts.
-    fn count(&self) -> u32;
+    /// Ticks of the counter, which wraps; reading takes a few counts.
+    fn ticks(&self) -> u32;
+
+    /// What so many ticks count.
+    fn counts(&self, ticks: u32) -> u32 {
+        ticks
+    }
 
     /// A loop of known length.
     fn spin(&self, rounds: u32);

@@ -10,7 +10,7 @@ use crate::print::Printer;
 use crate::scenes::{Meter, Name, Start};
 use crate::stack;
 
-/// Steps that are counted, after as many that are not: once together, once each.
+/// Steps that are counted together, after as many that are not. Those behind are counted each.
 const STEPS: u32 = 60;
 
 /// Prices scenes on a board, and prints a row of each.
@@ -56,10 +56,10 @@ impl<'a, B: Board> Priced<'a, B> {
 
     #[inline(always)]
     fn counted(&self, work: impl FnOnce()) -> u32 {
-        let start = self.board.count();
+        let start = self.board.ticks();
         work();
-        let counted = self.board.count().wrapping_sub(start);
-        counted.saturating_sub(self.reading)
+        let ticks = self.board.ticks().wrapping_sub(start);
+        self.board.counts(ticks).saturating_sub(self.reading)
     }
 
     // Not inlined: nothing of the caller's may come between the two readings.
@@ -153,7 +153,7 @@ impl<T: Board> Meter for Priced<'_, T> {
             if i == 2 {
                 let counted = self.counted(|| start.run(STEPS));
                 each = Some(self.each(name, counted, units * STEPS));
-                for _ in 0..STEPS {
+                for _ in 2 * STEPS..ticks {
                     worst = worst.max(self.counted(|| start.run(1)));
                 }
             }

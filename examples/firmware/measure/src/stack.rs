@@ -17,11 +17,12 @@ pub fn used(board: &impl Board, work: impl FnOnce()) -> Option<usize> {
         .map_or(0, |bottom| here.saturating_sub(bottom));
     let words = (room / size_of::<usize>()).min(WORDS);
     let deepest = here - words * size_of::<usize>();
-    paint(deepest, words);
+    // SAFETY: from the bottom of the stack to the stack pointer, by the promise of `Board`.
+    unsafe { paint(deepest, words) };
     work();
-    let untouched = (0..words)
-        .take_while(|&i| read(deepest, i) == PAINT)
-        .count();
+    // SAFETY: the same words.
+    let kept = |&i: &usize| unsafe { read(deepest, i) } == PAINT;
+    let untouched = (0..words).take_while(kept).count();
     // Where all is gone, it may have gone deeper.
     (untouched > 0).then(|| (words - untouched) * size_of::<usize>())
 }
@@ -31,10 +32,12 @@ pub fn used(board: &impl Board, work: impl FnOnce()) -> Option<usize> {
 fn stack_pointer() -> usize {
     let pointer: usize;
     #[cfg(target_arch = "arm")]
+    // SAFETY: it reads a register.
     unsafe {
         core::arch::asm!("mov {}, sp", out(reg) pointer)
     };
     #[cfg(target_arch = "riscv32")]
+    // SAFETY: it reads a register.
     unsafe {
         core::arch::asm!("mv {}, sp", out(reg) pointer)
     };
@@ -45,9 +48,13 @@ fn stack_pointer() -> usize {
     pointer
 }
 
+/// # Safety
+///
+/// So many words from there on are nobody's.
 #[inline(always)]
-fn paint(start: usize, words: usize) {
+unsafe fn paint(start: usize, words: usize) {
     for i in 0..words {
+        // SAFETY: one of them.
         unsafe {
             (start as *mut usize)
                 .add(i)
@@ -56,7 +63,11 @@ fn paint(start: usize, words: usize) {
     }
 }
 
+/// # Safety
+///
+/// That word is in memory.
 #[inline(always)]
-fn read(start: usize, word: usize) -> usize {
+unsafe fn read(start: usize, word: usize) -> usize {
+    // SAFETY: it is.
     unsafe { (start as *const usize).add(word).read_volatile() }
 }

@@ -12,21 +12,24 @@ pub struct This;
 const UART: *mut u8 = 0x1000_0000 as *mut u8;
 const SWITCH: *mut u32 = 0x0010_0000 as *mut u32;
 
-impl Board for This {
+// SAFETY: below the stack of `riscv-rt` lies a heap of no bytes, and no interrupt is switched on.
+unsafe impl Board for This {
     const COUNTS: Counts = Counts::Instructions;
     const ROUND: u32 = 2;
 
     fn start(&self) {}
 
     #[inline(never)]
-    fn count(&self) -> u32 {
+    fn ticks(&self) -> u32 {
         let count: u32;
+        // SAFETY: it reads a register.
         unsafe { core::arch::asm!("csrr {}, minstret", out(reg) count) };
         count
     }
 
     #[inline(never)]
     fn spin(&self, rounds: u32) {
+        // SAFETY: it changes one register, which is its own.
         unsafe {
             core::arch::asm!(
                 "addi {0}, {0}, 1",
@@ -39,11 +42,13 @@ impl Board for This {
 
     fn print(&self, text: &str) {
         for byte in text.bytes() {
+            // SAFETY: the sending register of the UART.
             unsafe { UART.write_volatile(byte) };
         }
     }
 
     fn exit(&self, ok: bool) -> ! {
+        // SAFETY: the register that ends the emulation.
         unsafe { SWITCH.write_volatile(if ok { 0x5555 } else { 0x1_3333 }) };
         loop {}
     }

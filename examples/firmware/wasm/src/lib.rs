@@ -13,23 +13,26 @@ unsafe extern "C" {
     fn exit(code: u32) -> !;
 }
 
-impl Board for This {
+// SAFETY: no stack is told.
+unsafe impl Board for This {
     const COUNTS: Counts = Counts::Nothing;
     const ROUND: u32 = 0;
 
     fn start(&self) {}
 
-    fn count(&self) -> u32 {
+    fn ticks(&self) -> u32 {
         0
     }
 
     fn spin(&self, _: u32) {}
 
     fn print(&self, text: &str) {
+        // SAFETY: the host reads a string.
         unsafe { print(text.as_ptr(), text.len()) };
     }
 
     fn exit(&self, ok: bool) -> ! {
+        // SAFETY: the host ends the process.
         unsafe { exit(!ok as u32) }
     }
 

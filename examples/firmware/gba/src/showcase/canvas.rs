@@ -42,7 +42,7 @@ pub struct Canvas {
 /// 80 KiB, so in the large RAM.
 struct Shared(UnsafeCell<Canvas>);
 
-// There is one thread, and no interrupt touches it.
+// SAFETY: there is one thread, and no interrupt touches it.
 unsafe impl Sync for Shared {}
 
 #[unsafe(link_section = ".noinit.canvas")]
@@ -54,8 +54,13 @@ static CANVAS: Shared = Shared(UnsafeCell::new(Canvas {
 }));
 
 impl Canvas {
-    /// The canvas; `main` asks once, and clears it, since nothing else does.
-    pub fn take() -> &'static mut Canvas {
+    /// The canvas; `main` clears it, since nothing else does.
+    ///
+    /// # Safety
+    ///
+    /// To be asked for once: there is one.
+    pub unsafe fn take() -> &'static mut Canvas {
+        // SAFETY: nobody else has it.
         unsafe { &mut *CANVAS.0.get() }
     }
 

@@ -100,7 +100,7 @@ fn pressed(before: &mut KeyInput) -> KeyInput {
 
 fn play() -> Result<(), Error> {
     let mut race = Race::new()?;
-    let canvas = Canvas::take();
+    let canvas = unsafe { Canvas::take() }; // SAFETY: here alone
     let mut text = Text::new();
     let mut held = KeyInput::new();
     colors::start();

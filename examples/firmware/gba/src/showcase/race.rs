@@ -16,7 +16,7 @@ const WINDOW: u32 = 5;
 /// Steps that a picture may make: one that comes late must not make the next one late.
 const MOST: u32 = 2;
 
-/// Steps as the screen says them and in halves of 2^-31 s, as exact as the console's multiply takes them.
+/// Steps as the screen says them and in units of 2^-31 s, as exact as the console's multiply takes them.
 const RATES: [(&str, u32); 4] = [
     ("1/30 s", (1 << 31) / 30),
     ("1/60 s", (1 << 31) / 60),
