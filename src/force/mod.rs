@@ -126,7 +126,7 @@ impl<'a, B: Body> Frame<'a, B> {
     #[inline]
     #[must_use]
     pub fn find(&self, id: BodyId) -> Option<(usize, B)> {
-        let index = self.place(id)?;
+        let index = id::position(self.ids, id)?;
         Some((index, *self.bodies().get(index)?))
     }
 
@@ -162,9 +162,7 @@ impl<'a, B: Body> Frame<'a, B> {
     /// The two bodies to push at those places; `None` if they are one, or not there.
     #[inline]
     pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
-        let (front, back) = self.live.split_at_mut_checked(i.max(j))?;
-        let (low, high) = (front.get_mut(i.min(j))?, back.first_mut()?);
-        Some(if i < j { [low, high] } else { [high, low] })
+        self.live.get_disjoint_mut([i, j]).ok()
     }
 }
 
