@@ -123,6 +123,13 @@ impl<B: Body, const N: usize> Default for Rk4<B, N> {
     }
 }
 
+/// `1 / of`: inlined, or it would be divided at run time.
+#[inline(always)]
+fn part<S: Scalar>(of: u64) -> S::Coef {
+    let part = Ratio::new(1, of).ok().and_then(Factor::new);
+    part.unwrap_or(S::ZERO.coef())
+}
+
 /// The body `start` after moves by `dx` and `dv`.
 fn state<B: Body>(start: &B, dx: Vec2<B::S>, dv: Vec2<B::S>) -> B {
     let mut body = *start;
@@ -143,8 +150,7 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
     ) {
         const { assert!(!F::FLOWS, "a flow needs a splitting method") };
         let [third, sixth, h_sixth] = self.per_step.get(step, |h| {
-            let part = |of| Ratio::new(1, of).ok().and_then(Factor::new);
-            let [third, sixth] = [3, 6].map(|of| part(of).unwrap_or(B::S::ZERO.coef()));
+            let (third, sixth) = (part::<B::S>(3), part::<B::S>(6));
             [third, sixth, B::S::product(sixth, h)]
         });
         let now = Now::start(step, tick);
