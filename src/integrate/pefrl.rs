@@ -88,15 +88,20 @@ const LAMBDA: i64 = -21_234_183_106_260_540;
 const CHI: i64 = -6_626_458_266_981_849;
 const ONE: i64 = 100_000_000_000_000_000;
 
+/// A share as a coefficient: inlined, or it would be divided at run time.
+#[inline(always)]
+fn part<S: Scalar>(num: i64) -> S::Coef {
+    let part = Ratio::new(num, ONE as u64).ok().and_then(S::Coef::new);
+    part.unwrap_or(S::ZERO.coef())
+}
+
 impl<S: Scalar> Shares<S> {
     fn of(h: S::Coef) -> Self {
-        let share = |num| {
-            let coef = Ratio::new(num, ONE as u64).ok().and_then(S::Coef::new);
-            S::product(coef.unwrap_or(S::ZERO.coef()), h)
-        };
+        let drifts = [part::<S>(XI), part::<S>(CHI), part::<S>(ONE - 2 * (CHI + XI))];
+        let kicks = [part::<S>(ONE / 2 - LAMBDA), part::<S>(LAMBDA)];
         Shares {
-            drifts: [share(XI), share(CHI), share(ONE - 2 * (CHI + XI))],
-            kicks: [share(ONE / 2 - LAMBDA), share(LAMBDA)],
+            drifts: drifts.map(|part| S::product(part, h)),
+            kicks: kicks.map(|part| S::product(part, h)),
         }
     }
 }
