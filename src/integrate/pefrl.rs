@@ -97,7 +97,11 @@ fn part<S: Scalar>(num: i64) -> S::Coef {
 
 impl<S: Scalar> Shares<S> {
     fn of(h: S::Coef) -> Self {
-        let drifts = [part::<S>(XI), part::<S>(CHI), part::<S>(ONE - 2 * (CHI + XI))];
+        let drifts = [
+            part::<S>(XI),
+            part::<S>(CHI),
+            part::<S>(ONE - 2 * (CHI + XI)),
+        ];
         let kicks = [part::<S>(ONE / 2 - LAMBDA), part::<S>(LAMBDA)];
         Shares {
             drifts: drifts.map(|part| S::product(part, h)),

@@ -143,7 +143,10 @@ def draw(emulator, image, options):
 
 
 def template(out, pinned):
-    """The image of the firmware to copy."""
+    """The image of the firmware to copy, of which 60 lines are enough."""
+    lines = len((HERE / "template/src/main.rs").read_text().splitlines())
+    if lines > 60:
+        raise Failed(f"template/src/main.rs has {lines} lines")
     arguments = ["build", "--manifest-path", "template/Cargo.toml"]
     cargo("thumbv6m-none-eabi", "ld.lld-22", "3", out, pinned, arguments)
     return out / "all/thumbv6m-none-eabi/release/my-firmware"

@@ -1,5 +1,6 @@
 """Writes the figures into the tables of the README and the documentation. Which rows a table has is
-said there; here only the cells are filled. `tests/firmware.rs` holds the same tables against results.tsv."""
+said there; here only the cells are filled. `tests/firmware.rs` holds those of the README, the guide and the
+architecture against results.tsv; `run --pinned` holds all of them."""
 import math
 import re
 from pathlib import Path
