@@ -18,10 +18,10 @@
 //!
 //! | body | bytes | M0+ 1/60 | M0+ 1/64 | M4F 1/60 | M4F 1/64 |
 //! |---|---|---|---|---|---|
-//! | `Point<I16F16>` | 20 | 64.2 | 29.2 | 15.1 | 20.5 |
-//! | `Carried<I16F16>` | 32 | 148.8 | 58.0 | 36.8 | 38.1 |
-//! | `Point<f32>` | 20 | 539.5 | | 11.7 | |
-//! | `Carried<f32>` | 32 | 1501.0 | | 35.7 | |
+//! | `Point<I16F16>` | 20 | 64.6 | 29.0 | 15.1 | 18.4 |
+//! | `Carried<I16F16>` | 32 | 119.8 | 47.0 | 32.1 | 31.3 |
+//! | `Point<f32>` | 20 | 540.3 | | 11.8 | |
+//! | `Carried<f32>` | 32 | 1468.6 | | 29.6 | |
 //!
 //! * **A game of minutes**: `Point`. Nothing that a player sees.
 //! * **A plant, a recording of hours**: `Carried`. A cruise of 30 km is off by 6 µm where a point in

@@ -116,7 +116,7 @@ class Figures:
     def console(self, cells):
         """Of the console, in the cartridge and in its fast RAM."""
         scene, scalar = {
-            "`DyadicStep`, 4389/2^18 s, one picture": ("gravity 4389/2^18", "I16F16"),
+            "`DyadicStep`, 4389/2^18 s, one frame": ("gravity 4389/2^18", "I16F16"),
             "the same by `Long`": ("gravity 4389/2^18 by Long", "I16F16"),
             "`DyadicStep`, 1/64 s": ("gravity 1/64", "I16F16"),
             "`Step::hz(60)`": ("gravity 1/60", "I16F16"),
@@ -129,4 +129,4 @@ class Figures:
         fast = [self.each(GBA, f"gravity {step} in IWRAM", *SCENE[1:]) for step in ("4389/2^18", "1/64")]
         return [(r"takes\s+(\d+)\s+bytes of\s+flash", row["flash_bytes"]), (r"(\d+)\s+bytes\s+of\s+RAM", row["ram_bytes"]),
                 (r"(\d+)\s+bytes\s+of\s+stack", row["stack_bytes"]),
-                (r"takes\s+([\d.]+)\s+cycles at one picture a step", fast[0]), (r"and\s+([\d.]+)\s+at\s+1/64\s+s:", fast[1])]
+                (r"takes\s+([\d.]+)\s+cycles at one frame a step", fast[0]), (r"and\s+([\d.]+)\s+at\s+1/64\s+s:", fast[1])]

@@ -156,18 +156,18 @@ impl Race {
     /// Makes the steps that are due after so many pictures of the screen.
     pub fn advance(&mut self, pictures: u32) {
         let due = self.clock.advance(pictures as u64 * PICTURE as u64);
-        let start = This.count();
+        let start = This.ticks();
         for _ in 0..due.steps {
             match &mut self.fixed {
                 Fixed::I16F16(side) => fast(&mut side.scene, &side.step),
                 Fixed::I8F24(side) => fast(&mut side.scene, &side.step),
             }
         }
-        let middle = This.count();
+        let middle = This.ticks();
         for _ in 0..due.steps {
             fast(&mut self.float.scene, &self.float.step);
         }
-        let end = This.count();
+        let end = This.ticks();
         self.look();
         self.cost_of_fixed.now += middle.wrapping_sub(start);
         self.cost_of_float.now += end.wrapping_sub(middle);
