@@ -27,7 +27,7 @@
 //! * **A plant, a recording of hours**: `Carried`. A cruise of 30 km is off by 6 µm where a point in
 //!   `I16F16` is off by 4 m, and by nothing at a dyadic rate.
 //! * **On M0+** take a carried body at 1/64 s: it costs less than a point at 1/60 s.
-//! * **On M4** it costs 1.9 to 2.4 times the instructions of a point, three times in `f32`.
+//! * **On M4** it costs 1.7 to 2.1 times the instructions of a point, 2.5 in `f32`.
 //! * **Kicks** cost it more: each product is kept with its remainder. The README has the price of each force.
 //!
 //! # 3. The rate
