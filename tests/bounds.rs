@@ -22,8 +22,9 @@ fn tests() -> PathBuf {
 fn sources(target: &str) -> String {
     let mut text = fs::read_to_string(tests().join(format!("{target}.rs"))).unwrap_or_default();
     if let Ok(parts) = fs::read_dir(tests().join(target)) {
-        for part in parts {
-            text += &fs::read_to_string(part.unwrap().path()).unwrap();
+        let paths = parts.map(|part| part.unwrap().path());
+        for path in paths.filter(|path| path.extension().is_some_and(|end| end == "rs")) {
+            text += &fs::read_to_string(path).unwrap();
         }
     }
     text
