@@ -234,15 +234,16 @@ fn the_readme_says_what_a_force_costs() {
 }
 
 #[test]
-fn the_readme_says_what_a_feature_takes_in_flash() {
+fn the_readme_says_what_a_feature_takes_in_flash_and_ram() {
     let told = table(README, "| the scene, and | M0+ | M4F |");
     let flash = rows().into_iter();
     let of_m0 = flash.filter(|row| row["target"] == M0 && row["scene"].starts_with("flash"));
     assert_eq!(told.len(), of_m0.count());
     for cells in told {
-        let [more, said @ ..] = &cells[..] else {
+        let [more, said @ .., ram] = &cells[..] else {
             panic!("{cells:?}");
         };
+        assert_eq!(*ram, ram_more(more.trim_matches('`')), "{more}");
         for (said, target) in said.iter().zip([M0, M4F]) {
             let scene = "flash gravity 1/64 at s".to_string();
             let bytes = |scene: &str| -> i64 {
@@ -260,6 +261,34 @@ fn the_readme_says_what_a_feature_takes_in_flash() {
             assert_eq!(*said, expected, "{target} {more}");
         }
     }
+}
+
+/// Bytes of RAM that a force, a method or a number type adds; of what a scene has eight or four times, one.
+fn ram_more(name: &str) -> String {
+    let of = |scene: &str, scalar, method| -> i64 {
+        let bytes = figure(M0, scene, scalar, method, "ram_bytes");
+        bytes.parse().unwrap()
+    };
+    let semi = "SemiImplicitEuler";
+    let gravity =
+        |scalar, method| of("gravity 1/60", scalar, method) - of("gravity 1/60", "I16F16", semi);
+    let force = |times| {
+        let more =
+            of(&format!("force {name}"), "I16F16", semi) - of("force no force", "I16F16", semi);
+        more / times
+    };
+    let more = match name {
+        "nothing more" => return of("gravity 1/64", "I16F16", semi).to_string(),
+        "Accumulator" | "snapshot" => return String::new(),
+        name if name.contains(" + ") => return String::new(),
+        "Verlet" | "Rk4" | "Pefrl" => gravity("I16F16", name),
+        "Carried" => gravity("I16F16 carried", semi),
+        "I8F24" | "f32" => gravity(name, semi),
+        "Anchor" | "ExactSpring" => force(8),
+        "ExactPair" => force(4),
+        _ => force(1),
+    };
+    format!("{more:+}")
 }
 
 #[test]

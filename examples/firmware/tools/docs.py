@@ -99,7 +99,24 @@ class Figures:
             more = cells[0].replace("`", "")
             return f"{int(self.rows[core, f'{scene} + {more}', '-', '-']['flash_bytes']) - alone:+}"
 
-        return [cells[0], bytes_more(M0), bytes_more(M4F)]
+        return [cells[0], bytes_more(M0), bytes_more(M4F), self.ram(cells[0].strip("`"))]
+
+    def ram(self, name):
+        """Bytes that a scene grows by, of force, method or number type; nothing for what is no part of it."""
+        def of(*key):
+            return int(self.rows[M0, *key]["ram_bytes"])
+
+        if name == "nothing more":
+            return str(of(*SCENE))
+        scene, body, method = "gravity 1/60", "I16F16", "SemiImplicitEuler"
+        if (M0, f"force {name}", body, method) in self.rows:
+            each = {"Anchor": 8, "ExactSpring": 8, "ExactPair": 4}.get(name, 1)
+            return f"{(of(f'force {name}', body, method) - of('force no force', body, method)) // each:+}"
+        other = {"Carried": "I16F16 carried"}.get(name, name)
+        for key in ((scene, body, name), (scene, other, method)):
+            if (M0, *key) in self.rows:
+                return f"{of(*key) - of(scene, body, method):+}"
+        return ""
 
     def methods(self, cells):
         name = cells[0].strip("[]`")
