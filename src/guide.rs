@@ -56,7 +56,7 @@
 //!
 //! | explicit | exact | the difference |
 //! |---|---|---|
-//! | [`LinearDrag`](crate::LinearDrag) | [`ExactDrag`](crate::ExactDrag) | no limit, comes to rest; by `SemiImplicitEuler` no dearer for points in fixed point, cheaper on M0+ |
+//! | [`LinearDrag`](crate::LinearDrag) | [`ExactDrag`](crate::ExactDrag) | no limit, comes to rest; by `SemiImplicitEuler` about as dear for points in fixed point, cheaper on M0+ |
 //! | [`QuadraticDrag`](crate::QuadraticDrag) | [`ExactQuadraticDrag`](crate::ExactQuadraticDrag) | no limit: explicit drag explodes from `c v h / m = 2` |
 //! | gravity and linear drag | [`Ballistic`](crate::Ballistic) | exact in position too, at any step |
 //! | [`Anchor`](crate::Anchor) | [`ExactSpring`](crate::ExactSpring) | given as hertz and damping ratio, no limit, hangs where it should |
