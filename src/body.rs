@@ -1,8 +1,8 @@
-//! A body of rung one: a point with mass.
+//! What the stages ask of a body.
 
 use crate::error::Error;
-use crate::ratio::Ratio;
-use crate::scalar::{Exact, Factor, Scalar};
+use crate::scalar::Scalar;
+use crate::spin::Spin;
 use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
@@ -11,6 +11,9 @@ use crate::vec2::Vec2;
 pub trait Body: Copy + 'static {
     /// Its number type.
     type S: Scalar;
+
+    /// How it turns: [`NoSpin`](crate::spin::NoSpin) for a point, which has no size and costs nothing.
+    type Spin: Spin<Self::S>;
 
     /// Position of the centre of mass, m.
     #[must_use]
@@ -77,13 +80,14 @@ pub trait Body: Copy + 'static {
         self.shift(value.scaled(factor));
     }
 
-    /// `x += h v`.
+    /// `x += h v`, and it turns by `h` times its spin.
     fn drift(&mut self, step: &impl TimeStep<Self::S>);
 
-    /// `x += h/2 v`.
+    /// `x += h/2 v`, in the same way.
     fn drift_half(&mut self, step: &impl TimeStep<Self::S>);
 
-    /// `x += factor v`, for a part of a step; a body that keeps remainders moves by all of v.
+    /// `x += factor v`, for a part of a step, without a [`coast_by`](Body::coast_by); a body that keeps
+    /// remainders moves by all of v.
     #[inline]
     fn drift_by(&mut self, factor: <Self::S as Scalar>::Coef) {
         self.move_by(self.velocity(), factor);
@@ -108,6 +112,57 @@ pub trait Body: Copy + 'static {
         self.shift(-z);
         self.kick(-v);
         self.kick(-v);
+    }
+
+    /// Its spin, turns/s.
+    #[inline]
+    #[must_use]
+    fn spin(&self) -> Self::Spin {
+        Self::Spin::NONE
+    }
+
+    /// Its spin changes by `change`.
+    #[inline]
+    fn twist(&mut self, change: Self::Spin) {
+        let _ = change;
+    }
+
+    /// It turns by `h` times its spin: the other half of [`drift`](Body::drift), which does it too. For
+    /// those who move a body in another way.
+    #[inline]
+    fn coast(&mut self, step: &impl TimeStep<Self::S>) {
+        let _ = step;
+    }
+
+    /// It turns by `h/2` times its spin.
+    #[inline]
+    fn coast_half(&mut self, step: &impl TimeStep<Self::S>) {
+        let _ = step;
+    }
+
+    /// It turns by `factor` times its spin.
+    #[inline]
+    fn coast_by(&mut self, factor: <Self::S as Scalar>::Coef) {
+        let _ = factor;
+    }
+
+    /// Whether no force moves it: what it does is given.
+    #[inline]
+    #[must_use]
+    fn is_driven(&self) -> bool {
+        false
+    }
+
+    /// Kinetic energy of its rotation, J; for reports.
+    #[must_use]
+    fn spin_energy(&self) -> f64 {
+        0.0
+    }
+
+    /// Angular momentum about its own centre, kg m²/s; for reports.
+    #[must_use]
+    fn spin_momentum(&self) -> f64 {
+        0.0
     }
 
     /// Hands the exact bits of its state to `write`, for a hash. A body that holds more than
@@ -140,88 +195,6 @@ pub trait Turn: Body {
     fn turn(&mut self);
 }
 
-/// A point with mass in 20 bytes of any 32-bit scalar: position, velocity, inverse mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<S: Scalar> {
-    position: Vec2<S>,
-    velocity: Vec2<S>,
-    inv_mass: S::InvMass,
-}
-
-impl<S: Scalar> Point<S> {
-    /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg).
-    ///
-    /// Refuses a mass that is not positive or whose inverse the scalar cannot hold (32-bit fixed
-    /// point: from 0.5 g to 2000 t), and a state that is NaN or infinite.
-    ///
-    /// ```
-    /// use fixstep::{dec, vec2, Point, fixed::types::I16F16};
-    /// let ball = Point::<I16F16>::new(vec2(0, 10)?, vec2(3, 0)?, dec!(0.5))?;
-    /// assert!(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 0).is_err());
-    /// # Ok::<(), fixstep::Error>(())
-    /// ```
-    #[inline]
-    pub fn new(
-        position: Vec2<S>,
-        velocity: Vec2<S>,
-        mass: impl Into<Ratio>,
-    ) -> Result<Point<S>, Error> {
-        let (field, value) = ("mass", mass.into());
-        let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
-        let inv_mass = S::InvMass::new(inverse).ok_or(Error::OutOfRange { field, value })?;
-        finite("position", position)?;
-        finite("velocity", velocity)?;
-        Ok(Point {
-            position,
-            velocity,
-            inv_mass,
-        })
-    }
-
-    /// Position, m.
-    #[inline]
-    #[must_use]
-    pub const fn position(&self) -> Vec2<S> {
-        self.position
-    }
-
-    /// Velocity, m/s.
-    #[inline]
-    #[must_use]
-    pub const fn velocity(&self) -> Vec2<S> {
-        self.velocity
-    }
-
-    /// From a state that was a point's before, NaN and all; `None` where the inverse mass is not
-    /// finite or not greater than zero, as only the bits of a float can be.
-    pub(crate) fn from_parts(
-        position: Vec2<S>,
-        velocity: Vec2<S>,
-        inv_mass: S::InvMass,
-    ) -> Option<Self> {
-        let finite = inv_mass.of(S::ZERO) == S::ZERO;
-        (finite && inv_mass.of(S::MAX) > S::ZERO).then_some(Point {
-            position,
-            velocity,
-            inv_mass,
-        })
-    }
-
-    /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
-    pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
-        finite("position", position)?;
-        self.position = position;
-        Ok(())
-    }
-
-    /// Gives the point another velocity. Refuses NaN and infinity.
-    pub fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
-        finite("velocity", velocity)?;
-        self.velocity = velocity;
-        Ok(())
-    }
-}
-
 /// A finite number less itself is zero; infinity and NaN give NaN.
 #[inline]
 pub(crate) fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), Error> {
@@ -229,65 +202,5 @@ pub(crate) fn finite<S: Scalar>(field: &'static str, v: Vec2<S>) -> Result<(), E
         Ok(())
     } else {
         Err(Error::NotFinite { field })
-    }
-}
-
-impl<S: Scalar> Body for Point<S> {
-    type S = S;
-
-    #[inline]
-    fn position(&self) -> Vec2<S> {
-        self.position
-    }
-
-    #[inline]
-    fn velocity(&self) -> Vec2<S> {
-        self.velocity
-    }
-
-    #[inline]
-    fn inv_mass(&self) -> S::InvMass {
-        self.inv_mass
-    }
-
-    #[inline]
-    fn kick(&mut self, dv: Vec2<S>) {
-        self.velocity += dv;
-    }
-
-    #[inline]
-    fn kick_y(&mut self, dv: S) {
-        self.velocity.y = self.velocity.y.plus(dv);
-    }
-
-    #[inline]
-    fn brake_by(&mut self, value: Vec2<S>, factor: S::Coef) {
-        self.velocity -= value.scaled(factor);
-    }
-
-    fn push(&mut self, impulse: Vec2<S>) {
-        self.velocity += impulse.scaled(self.inv_mass);
-    }
-
-    #[inline]
-    fn shift(&mut self, dx: Vec2<S>) {
-        self.position += dx;
-    }
-
-    #[inline]
-    fn drift(&mut self, step: &impl TimeStep<S>) {
-        self.position += self.velocity.map(|v| step.of(v));
-    }
-
-    #[inline]
-    fn drift_half(&mut self, step: &impl TimeStep<S>) {
-        self.position += self.velocity.map(|v| step.half_of(v));
-    }
-}
-
-impl<S: Exact> Turn for Point<S> {
-    #[inline]
-    fn turn(&mut self) {
-        self.velocity = -self.velocity;
     }
 }

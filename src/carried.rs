@@ -1,9 +1,11 @@
 //! A body that keeps what its roundings leave over.
 
-use crate::body::{Body, Point};
+use crate::body::Body;
 use crate::error::Error;
+use crate::point::Point;
 use crate::ratio::Ratio;
 use crate::scalar::Carry;
+use crate::spin::NoSpin;
 use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
@@ -16,11 +18,10 @@ use crate::vec2::Vec2;
 /// | kicks of gravity, drags, anchors, functions, pulls | each k of `Rk4`: a force below a quarter unit of velocity a step does nothing there |
 /// | pushes: in units of momentum | `Pull`, and any force under `Rk4`: kicks, by which momentum walks |
 ///
-/// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to
-/// the last digit of `h`; a body under drag comes to rest where it should; and the momentum of bodies that
-/// push each other, counted with remainders by [`momentum`](Carried::momentum), is constant to the bit (up
-/// to `2^15` kg; a heavier body rounds an impulse to its own unit). All but an exact spring see positions
-/// and velocities rounded, as a [`Point`] has them.
+/// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to the last digit of
+/// `h`; a body under drag comes to rest where it should; and the momentum of bodies that push each other, counted with
+/// remainders by [`momentum`](Carried::momentum), is constant to the bit (up to `2^15` kg; a heavier body rounds an
+/// impulse to its own unit). All but an exact spring see positions and velocities rounded, as a [`Point`] has them.
 ///
 /// Positions are rounded for them away from zero where two are equally near: at a dyadic rate a scene that
 /// is shifted over the origin is the same but for such ties.
@@ -105,6 +106,11 @@ impl<S: Carry> Carried<S> {
         })
     }
 
+    /// The same with another inverse mass, which nothing checks.
+    pub(crate) const fn of_inv_mass(self, inv_mass: S::InvMass) -> Self {
+        Carried { inv_mass, ..self }
+    }
+
     /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
     pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
         crate::body::finite("position", position)?;
@@ -138,12 +144,6 @@ impl<S: Carry> Carried<S> {
         self.velocity = Vec2::new(x, y);
         self.rest = [rest_x, rest_y];
     }
-
-    /// `v += change` for a change that leaves nothing over.
-    #[inline]
-    fn add(&mut self, change: Vec2<S>) {
-        self.velocity += change;
-    }
 }
 
 /// One axis of [`Body::swing`].
@@ -174,6 +174,7 @@ impl<S: Carry> From<Point<S>> for Carried<S> {
 
 impl<S: Carry> Body for Carried<S> {
     type S = S;
+    type Spin = NoSpin;
 
     #[inline]
     fn position(&self) -> Vec2<S> {
@@ -192,7 +193,7 @@ impl<S: Carry> Body for Carried<S> {
 
     #[inline]
     fn kick(&mut self, dv: Vec2<S>) {
-        self.add(dv);
+        self.velocity += dv;
     }
 
     #[inline]

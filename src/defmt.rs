@@ -3,10 +3,11 @@
 use defmt::{Format, Formatter, write};
 
 use crate::accumulator::Due;
-use crate::body::{Body, Point};
+use crate::body::Body;
 use crate::carried::Carried;
 use crate::error::{Error, Full};
 use crate::id::{BodyId, Stale};
+use crate::point::Point;
 use crate::ratio::Ratio;
 use crate::rewind::RewindError;
 use crate::scalar::{Carry, Scalar};

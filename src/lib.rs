@@ -47,12 +47,17 @@ pub mod body;
 pub mod carried;
 pub mod id;
 pub mod mass;
+pub mod point;
 mod propagator;
+pub mod spin;
 pub mod step;
 pub mod time;
 
 pub mod force;
 pub mod integrate;
+
+pub mod rigid;
+pub mod torque;
 
 pub mod guide;
 
@@ -74,7 +79,7 @@ pub use heapless;
 
 pub use accumulator::{Accumulator, Due};
 pub use between::Between;
-pub use body::{Body, Point, Turn};
+pub use body::{Body, Turn};
 pub use carried::Carried;
 pub use error::{Error, Full};
 pub use force::{
@@ -87,9 +92,11 @@ pub use integrate::{
     ConstantAcceleration, Euler, Method, Pefrl, Rewinds, Rk4, SemiImplicitEuler, Verlet,
 };
 pub use mass::{CentreOfMass, PointMass};
+pub use point::Point;
 pub use ratio::Ratio;
 pub use rewind::RewindError;
-pub use scalar::{Carry, Decay, Exact, Factor, Scalar, Stored};
+pub use rigid::{Angle, Kind, Rigid, Rotating, Rotation};
+pub use scalar::{Angular, Carry, CarryAngular, Decay, Exact, Factor, Scalar, Stored};
 pub use snapshot::{Saved, SnapshotError};
 pub use step::{DyadicStep, Step, TimeStep};
 pub use time::{Now, Time};

@@ -12,28 +12,38 @@ use crate::vec2::Vec2;
 use crate::world::World;
 
 impl<B: Body, const N: usize> World<B, N> {
-    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen. That of
+    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen; bodies that no force moves have none,
+    /// nor energy. That of
     /// [`Carried`](crate::Carried) bodies with their remainders is the sum of
     /// [`Carried::momentum`](crate::Carried::momentum).
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
-        let of = |body: &B| {
-            body.velocity()
-                .to_f64()
-                .map(|v| v / body.inv_mass().to_f64())
-        };
         self.bodies()
             .iter()
-            .map(of)
+            .map(momentum)
             .fold(Vec2::ZERO, |sum, p| sum + p)
     }
 
-    /// Total kinetic energy `sum(m v²/2)`, J.
+    /// Total angular momentum about the point `about` (m), kg m²/s: `sum(m (x - about) × v)`, and what
+    /// bodies have about their own centres.
+    #[must_use]
+    pub fn angular_momentum(&self, about: Vec2<f64>) -> f64 {
+        let of = |body: &B| {
+            let (arm, p) = (body.position().to_f64() - about, momentum(body));
+            arm.x * p.y - arm.y * p.x + body.spin_momentum()
+        };
+        self.bodies().iter().map(of).sum()
+    }
+
+    /// Total kinetic energy `sum(m v²/2)`, J, and that of rotations.
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         let of = |body: &B| {
             let v = body.velocity().to_f64();
-            0.5 * v.dot(v) / body.inv_mass().to_f64()
+            if body.is_driven() {
+                return 0.0;
+            }
+            0.5 * v.dot(v) / body.inv_mass().to_f64() + body.spin_energy()
         };
         self.bodies().iter().map(of).sum()
     }
@@ -56,4 +66,13 @@ impl<B: Body, const N: usize> World<B, N> {
         }
         hash.0
     }
+}
+
+/// Momentum of a body, kg m/s; none of one that no force moves.
+fn momentum<B: Body>(body: &B) -> Vec2<f64> {
+    if body.is_driven() {
+        return Vec2::ZERO;
+    }
+    let inv_mass = body.inv_mass().to_f64();
+    body.velocity().to_f64().map(|v| v / inv_mass)
 }

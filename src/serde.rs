@@ -9,9 +9,10 @@
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use crate::body::{Body, Point};
+use crate::body::Body;
 use crate::carried::Carried;
 use crate::id::BodyId;
+use crate::point::Point;
 use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
 use crate::watched::Watched;

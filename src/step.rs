@@ -9,6 +9,17 @@ use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Carry, Factor, Scalar};
 
+/// What goes on at a rate of its own: an angle with its spin.
+pub trait Revolve<S: Scalar> {
+    /// By `h / 2^halvings` times its rate; `halvings` is 0 or 1.
+    #[must_use]
+    fn revolved(self, h: S::Coef, halvings: u32) -> Self;
+
+    /// By `num / 2^shift` times its rate, exactly as far as it can hold it; called with constants.
+    #[must_use]
+    fn revolved_dyadic(self, num: u32, shift: u32) -> Self;
+}
+
 /// A fixed timestep, with its length `h` in the forms that forces and stages need.
 pub trait TimeStep<S: Scalar>: Copy {
     /// `h` as a coefficient, to be multiplied with others once per step.
@@ -42,6 +53,20 @@ pub trait TimeStep<S: Scalar>: Copy {
         S: Carry,
     {
         S::drifted(place, kept, self.coef(), 1)
+    }
+
+    /// `what` after `h`.
+    #[inline]
+    #[must_use]
+    fn revolve<T: Revolve<S>>(&self, what: T) -> T {
+        what.revolved(self.coef(), 0)
+    }
+
+    /// `what` after `h/2`.
+    #[inline]
+    #[must_use]
+    fn revolve_half<T: Revolve<S>>(&self, what: T) -> T {
+        what.revolved(self.coef(), 1)
     }
 
     /// `h` in seconds, exactly.
@@ -234,6 +259,16 @@ impl<S: Scalar, const NUM: u32, const SHIFT: u32> TimeStep<S> for DyadicStep<S, 
         S: Carry,
     {
         S::drifted_dyadic(place, kept, NUM, SHIFT + 1)
+    }
+
+    #[inline(always)]
+    fn revolve<T: Revolve<S>>(&self, what: T) -> T {
+        what.revolved_dyadic(NUM, SHIFT)
+    }
+
+    #[inline(always)]
+    fn revolve_half<T: Revolve<S>>(&self, what: T) -> T {
+        what.revolved_dyadic(NUM, SHIFT + 1)
     }
 
     #[inline]

@@ -79,6 +79,20 @@ impl<S: Scalar> Vec2<S> {
         S::dot(self.array(), other.array())
     }
 
+    /// A quarter turn from x to y: `(-y, x)`.
+    #[inline]
+    #[must_use]
+    pub fn perp(self) -> Vec2<S> {
+        Vec2::new(self.y.negated(), self.x)
+    }
+
+    /// The perpendicular dot product `self.x * other.y - self.y * other.x` in the wide type.
+    #[inline]
+    #[must_use]
+    pub fn cross(self, other: Vec2<S>) -> S::Sum {
+        self.perp().dot(other)
+    }
+
     /// Euclidean length, saturating.
     #[inline]
     #[must_use]

@@ -102,6 +102,7 @@ macro_rules! verbs {
 
 impl<B: Body> Body for Watched<B> {
     type S = B::S;
+    type Spin = B::Spin;
 
     #[inline]
     fn position(&self) -> Vec2<B::S> {
@@ -146,6 +147,44 @@ impl<B: Body> Body for Watched<B> {
     #[inline]
     fn halt(&mut self) {
         self.body.halt();
+    }
+
+    #[inline]
+    fn spin(&self) -> B::Spin {
+        self.body.spin()
+    }
+
+    #[inline]
+    fn twist(&mut self, change: B::Spin) {
+        self.change(|body| body.twist(change));
+    }
+
+    #[inline]
+    fn coast(&mut self, step: &impl TimeStep<B::S>) {
+        self.body.coast(step);
+    }
+
+    #[inline]
+    fn coast_half(&mut self, step: &impl TimeStep<B::S>) {
+        self.body.coast_half(step);
+    }
+
+    #[inline]
+    fn coast_by(&mut self, factor: <B::S as Scalar>::Coef) {
+        self.body.coast_by(factor);
+    }
+
+    #[inline]
+    fn is_driven(&self) -> bool {
+        self.body.is_driven()
+    }
+
+    fn spin_energy(&self) -> f64 {
+        self.body.spin_energy()
+    }
+
+    fn spin_momentum(&self) -> f64 {
+        self.body.spin_momentum()
     }
 
     fn write_state(&self, write: &mut impl FnMut(u64)) {

@@ -7,20 +7,24 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From bottom to top; files of one rung do not import each other, but for the first.
-const RUNGS: [&[&str]; 15] = [
+const RUNGS: [&[&str]; 19] = [
     &["error", "ratio", "decimal", "fnv", "oscillation"],
     &["scalar"],
-    &["vec2"],
+    &["vec2", "spin"],
     &["id", "step"],
     &["time", "accumulator", "between"],
     &["body"],
+    &["point"],
     &["mass", "propagator", "carried"],
     &["force"],
     &["integrate"],
     &["world"],
-    &["measure", "snapshot"],
+    &["measure"],
+    &["snapshot"],
     &["watched"],
     &["rewind"],
+    &["rigid"],
+    &["torque"],
     &["defmt", "mint", "serde"],
     &["guide"],
 ];

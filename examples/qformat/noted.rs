@@ -36,6 +36,7 @@ impl From<Point<Recorded>> for Noted {
 
 impl Body for Noted {
     type S = Recorded;
+    type Spin = fixstep::spin::NoSpin;
 
     fn position(&self) -> Vec2<Recorded> {
         self.0.position()

@@ -125,7 +125,7 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
             .live()
             .iter_mut()
             .zip(moved)
-            .filter(|(_, moved)| !**moved);
+            .filter(|(body, moved)| !(**moved || body.is_driven()));
         for (body, moved) in free {
             let flight = match self.known {
                 Some(flight) if flight.inv_mass == body.inv_mass() && flight.whole == whole => {
@@ -134,6 +134,10 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
                 _ => self.renew(rates, body.inv_mass(), whole),
             };
             body.drift_by(flight.time);
+            match part {
+                Part::Whole => body.coast(&now.step),
+                _ => body.coast_half(&now.step),
+            }
             body.shift(share(flight.fall));
             body.damp(flight.loss);
             body.kick(share(flight.kick));

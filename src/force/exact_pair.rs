@@ -105,6 +105,10 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         let (Some((i, a)), Some((j, b))) = (first, second) else {
             return;
         };
+        let driven = [a.is_driven(), b.is_driven()];
+        if driven == [true; 2] {
+            return;
+        }
         let Ok(marks) = moved.get_disjoint_mut([i, j]) else {
             return;
         };
@@ -125,8 +129,16 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         let product = <B::S as Scalar>::product;
         let [w1, w2] = [&a, &b].map(|body| body.inv_mass());
         let [m1, m2] = [w1, w2].map(<B::S as Scalar>::mass);
-        let s1 = B::S::share(product(m1, w2.into()));
-        let s2 = B::S::share(product(m2, w1.into()));
+        let one = Ratio::whole(1);
+        let [s1, s2, reduced] = match (driven, Factor::new(one)) {
+            ([true, false], Some(one)) => [one, B::S::ZERO.coef(), m2],
+            ([false, true], Some(one)) => [B::S::ZERO.coef(), one, m1],
+            _ => {
+                let s1 = B::S::share(product(m1, w2.into()));
+                let s2 = B::S::share(product(m2, w1.into()));
+                [s1, s2, product(m1, s2)]
+            }
+        };
         let d = b.position() - a.position() - self.rest;
         let w = b.velocity() - a.velocity();
         for (body, [d, w], share) in [(&mut *first, [-d, w], s2), (&mut *second, [d, -w], s1)] {
@@ -138,7 +150,6 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
             body.move_by(d, product(share, p11));
             body.move_by(-w, product(share, p12));
         }
-        let reduced = product(m1, s2);
         let impulse = d.scaled(product(reduced, p21)) + w.scaled(product(reduced, p22));
         first.push(-impulse);
         second.push(impulse);

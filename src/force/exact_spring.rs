@@ -161,7 +161,7 @@ impl<B: Body> Force<B> for ExactSpring<B::S> {
             return;
         };
         match (moved.get_mut(index), frame.live_at(index)) {
-            (Some(moved), Some(live)) if !*moved => {
+            (Some(moved), Some(live)) if !(*moved || live.is_driven()) => {
                 *moved = true;
                 let known = self.known(&now.step, part == Part::Whole);
                 if let (Some([x, y]), true) = (known.kick, part != Part::FirstHalf) {
@@ -169,6 +169,10 @@ impl<B: Body> Force<B> for ExactSpring<B::S> {
                     live.kick(-Vec2::new(gained(x), gained(y)));
                 }
                 known.propagator.apply(self.rest(), live);
+                match part {
+                    Part::Whole => live.coast(&now.step),
+                    _ => live.coast_half(&now.step),
+                }
             }
             _ => {}
         }

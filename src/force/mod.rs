@@ -72,7 +72,7 @@ pub use exact_quadratic_drag::ExactQuadraticDrag;
 pub use exact_spring::ExactSpring;
 pub use gravity::{Gravity, GravityY};
 pub use pairs::{AllPairs, PairForce, Pairs};
-pub use per_body::PerBody;
+pub use per_body::{Effort, PerBody};
 pub use per_step::{PerStep, coefficient, half};
 pub use pull::Pull;
 pub use push::Push;
@@ -267,6 +267,7 @@ fn potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
     let g = acceleration.to_f64();
     bodies
         .iter()
+        .filter(|body| !body.is_driven())
         .map(|body| -g.dot(body.position().to_f64()) / body.inv_mass().to_f64())
         .sum()
 }

@@ -23,13 +23,27 @@ pub struct PerBody<F>(
     pub F,
 );
 
-impl<B: Body, F: FnMut(Time, &B) -> Vec2<B::S>> Force<B> for PerBody<F> {
+/// What a function says that a body feels: a force, or for a body that turns a
+/// [`Wrench`](crate::torque::Wrench).
+pub trait Effort<B: Body> {
+    /// Changes the velocity of `live`, as `seen` feels it for a time `h`.
+    fn act(self, h: <B::S as Scalar>::Coef, seen: &B, live: &mut B);
+}
+
+/// A force, N.
+impl<B: Body> Effort<B> for Vec2<B::S> {
+    #[inline]
+    fn act(self, h: <B::S as Scalar>::Coef, seen: &B, live: &mut B) {
+        live.kick_by(self, B::S::product(h, seen.inv_mass().into()));
+    }
+}
+
+impl<B: Body, E: Effort<B>, F: FnMut(Time, &B) -> E> Force<B> for PerBody<F> {
     const COUPLES: bool = false;
 
     #[inline]
     fn field<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
-        let force = (self.0)(now.time(), seen);
-        let per_mass = B::S::product(now.step.coef(), seen.inv_mass().into());
-        live.kick_by(force, per_mass);
+        let effort = (self.0)(now.time(), seen);
+        effort.act(now.step.coef(), seen, live);
     }
 }

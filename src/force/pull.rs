@@ -74,6 +74,15 @@ fn cubed<S: Scalar>(k: S::Coef, factor: S::Coef) -> S::Coef {
     (0..3).fold(k, |product, _| S::product(product, factor))
 }
 
+/// The mass by which it pulls: none of a body that no force moves.
+#[inline]
+fn mass<B: Body>(body: &B) -> <B::S as Scalar>::Coef {
+    if body.is_driven() {
+        return B::S::ZERO.coef();
+    }
+    B::S::mass(body.inv_mass())
+}
+
 impl<B: Body> PairForce<B> for Pull<B::S> {
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
@@ -86,7 +95,7 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let along = seen[1].position() - seen[0].position();
         let inverse = B::S::inverse_length(along.array(), self.softening);
         let per_mass = cubed::<B::S>(self.impulse, inverse);
-        let [m1, m2] = seen.map(|body| B::S::mass(body.inv_mass()));
+        let [m1, m2] = seen.map(mass);
         let [first, second] = live;
         first.kick_by(along, B::S::product(per_mass, m2));
         second.brake_by(along, B::S::product(per_mass, m1));
@@ -96,6 +105,9 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let [a, b] = bodies.map(|body| body.position().to_f64());
         let inverse = f64::inverse_length((b - a).array(), self.softening.to_f64());
         let [w1, w2] = bodies.map(|body| body.inv_mass().to_f64());
+        if bodies.iter().any(|body| body.is_driven()) {
+            return 0.0;
+        }
         -self.constant.to_f64() * inverse / (w1 * w2)
     }
 }

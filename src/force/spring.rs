@@ -65,28 +65,42 @@ impl<S: Scalar> Spring<S> {
         })
     }
 
-    /// The impulse on the first body over one step.
+    /// The impulse on the first end over one step, from where the second is and how it moves as seen from
+    /// the first.
     #[inline]
-    fn impulse<B, H>(&mut self, step: &H, first: &B, second: &B) -> Vec2<S>
-    where
-        B: Body<S = S>,
-        H: TimeStep<S>,
-    {
+    pub(crate) fn impulse<H: TimeStep<S>>(
+        &mut self,
+        step: &H,
+        along: Vec2<S>,
+        apart: Vec2<S>,
+    ) -> Vec2<S> {
         let (stiffness, damping) = self.per_step.get(step, |h| {
             (S::product(self.stiffness, h), S::product(self.damping, h))
         });
-        let along = second.position() - first.position();
         let length = along.length();
-        let closing = length.under((second.velocity() - first.velocity()).dot(along));
+        let closing = length.under(apart.dot(along));
         let pull = stiffness.of(length.minus(self.rest_length));
         along.with_length(pull.plus(damping.of(closing)), length)
+    }
+
+    /// Its name, if it damps.
+    pub(crate) fn damper_name(&self) -> Option<&'static str> {
+        (!is_none::<S>(self.damping)).then_some("Spring")
+    }
+
+    /// Potential energy at that distance, J.
+    pub(crate) fn potential_along(&self, along: Vec2<f64>) -> f64 {
+        let stretch = along.length() - self.rest_length.to_f64();
+        0.5 * self.stiffness.to_f64() * stretch * stretch
     }
 }
 
 impl<B: Body> PairForce<B> for Spring<B::S> {
     #[inline]
     fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]) {
-        let impulse = self.impulse(&now.step, seen[0], seen[1]);
+        let along = seen[1].position() - seen[0].position();
+        let apart = seen[1].velocity() - seen[0].velocity();
+        let impulse = self.impulse(&now.step, along, apart);
         let [first, second] = live;
         first.push(impulse);
         second.push(-impulse);
@@ -94,13 +108,12 @@ impl<B: Body> PairForce<B> for Spring<B::S> {
 
     fn potential(&self, bodies: [&B; 2]) -> f64 {
         let [a, b] = bodies.map(|body| body.position().to_f64());
-        let stretch = (b - a).length() - self.rest_length.to_f64();
-        0.5 * self.stiffness.to_f64() * stretch * stretch
+        self.potential_along(b - a)
     }
 }
 
 impl<B: Body> ReversiblePair<B> for Spring<B::S> {
     fn damper(&self, _tick: u64) -> Option<&'static str> {
-        (!is_none::<B::S>(self.damping)).then_some("Spring")
+        self.damper_name()
     }
 }

@@ -195,8 +195,11 @@ impl<B: Body, const N: usize> Method<B, N> for Pefrl<B::S> {
 // The stages are the same from both ends, and its forces act at one instant.
 impl<B: Turn, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
 
-/// `x += share v` for every body.
+/// `x += share v` for every body, which turns as much.
 #[inline]
 fn drift_by<B: Body>(bodies: &mut [B], share: <B::S as Scalar>::Coef) {
-    each(bodies, |body| body.drift_by(share));
+    each(bodies, |body| {
+        body.drift_by(share);
+        body.coast_by(share);
+    });
 }

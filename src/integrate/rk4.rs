@@ -31,6 +31,7 @@ use crate::force::{Force, Frame, Part, PerStep};
 use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
+use crate::spin::Spin;
 use crate::step::TimeStep;
 use crate::time::Now;
 use crate::vec2::Vec2;
@@ -56,10 +57,13 @@ pub struct Rk4<B: Body, const N: usize> {
     seen: heapless::Vec<B, N>,
     live: heapless::Vec<B, N>,
     /// k1
-    first: heapless::Vec<Vec2<B::S>, N>,
+    first: heapless::Vec<Change<B>, N>,
     /// 1/3, 1/6 and h/6.
     per_step: PerStep<B::S, [<B::S as Scalar>::Coef; 3]>,
 }
+
+/// What a k changes: velocity and spin.
+type Change<B> = (Vec2<<B as Body>::S>, <B as Body>::Spin);
 
 impl<B: Body, const N: usize> Rk4<B, N> {
     /// With room for the copies.
@@ -81,7 +85,7 @@ impl<B: Body, const N: usize> Rk4<B, N> {
         self.first.clear();
         for live in &mut self.live {
             live.halt();
-            let _ = self.first.push(Vec2::ZERO);
+            let _ = self.first.push((Vec2::ZERO, B::Spin::NONE));
         }
     }
 
@@ -104,7 +108,7 @@ impl<B: Body, const N: usize> Rk4<B, N> {
     fn each(
         &mut self,
         bodies: &mut [B],
-        mut f: impl FnMut(&mut B, &mut B, &mut B, &mut Vec2<B::S>),
+        mut f: impl FnMut(&mut B, &mut B, &mut B, &mut Change<B>),
     ) {
         let rest = self
             .seen
@@ -130,12 +134,35 @@ fn part<S: Scalar>(of: u64) -> S::Coef {
     part.unwrap_or(S::ZERO.coef())
 }
 
-/// The body `start` after moves by `dx` and `dv`.
-fn state<B: Body>(start: &B, dx: Vec2<B::S>, dv: Vec2<B::S>) -> B {
+/// The body `start` after moves by `dx` and a change of its velocity and spin.
+fn state<B: Body>(start: &B, dx: Vec2<B::S>, (dv, spin): Change<B>) -> B {
     let mut body = *start;
     body.shift(dx);
     body.kick(dv);
+    body.twist(spin);
     body
+}
+
+/// `coast` with another spin.
+#[inline(always)]
+fn turn<B: Body>(body: &mut B, spin: B::Spin, coast: impl FnOnce(&mut B)) {
+    let change = spin.sum(body.spin().reversed());
+    body.twist(change);
+    coast(body);
+    body.twist(change.reversed());
+}
+
+/// What a body that was at rest has gained.
+#[inline(always)]
+fn change<B: Body>(live: &B) -> Change<B> {
+    (live.velocity(), live.spin())
+}
+
+/// Takes that from it.
+#[inline(always)]
+fn take<B: Body>(live: &mut B, (dv, spin): Change<B>) {
+    live.kick(-dv);
+    live.twist(spin.reversed());
 }
 
 impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
@@ -155,44 +182,56 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
         });
         let now = Now::start(step, tick);
         let h = now.step;
-        let half = |k: Vec2<B::S>| k.map(|k| k.dyadic(1, 1));
+        let half = |(dv, spin): Change<B>| (dv.map(|k| k.dyadic(1, 1)), spin.half());
         forces.prepare(&now);
         damp(bodies, forces, &now, Part::FirstHalf);
 
         self.begin(bodies);
         self.evaluate(ids, forces, &now);
         self.each(bodies, |start, seen, live, k1| {
-            *k1 = live.velocity();
-            live.kick(-*k1);
+            *k1 = change(live);
+            take(live, *k1);
             *seen = state(start, start.velocity().map(|v| h.half_of(v)), half(*k1));
+            turn(seen, start.spin(), |seen| seen.coast_half(&h));
         });
 
         let now = Now::middle(step, tick);
         forces.prepare(&now);
         self.evaluate(ids, forces, &now);
         self.each(bodies, |start, seen, live, _| {
+            let spin = seen.spin();
             let dx = seen.velocity().map(|v| h.half_of(v));
-            *seen = state(start, dx, half(live.velocity()));
+            *seen = state(start, dx, half(change(live)));
+            turn(seen, spin, |seen| seen.coast_half(&h));
         });
 
         // Now `live` holds k2 + k3, of which k2/2 = v3 - v gives k3 to a unit: enough for v4.
         forces.prepare(&now);
         self.evaluate(ids, forces, &now);
         self.each(bodies, |body, seen, live, k1| {
-            let (v3, both) = (seen.velocity(), live.velocity());
+            let ((v3, spin), both) = (change(seen), change(live));
             let rise = v3 - body.velocity();
-            *seen = state(body, v3.map(|v| h.of(v)), both - rise - rise);
-            live.kick(-both);
+            let rise_of_spin = spin.sum(body.spin().reversed()).reversed();
+            let k3 = (
+                both.0 - rise - rise,
+                both.1.sum(rise_of_spin).sum(rise_of_spin),
+            );
+            *seen = state(body, v3.map(|v| h.of(v)), k3);
+            turn(seen, spin, |seen| seen.coast(&h));
+            take(live, both);
             body.drift(&h);
-            body.move_by(*k1 + both, h_sixth);
-            body.kick_by(both, third);
+            body.move_by(k1.0 + both.0, h_sixth);
+            turn(body, k1.1.sum(both.1), |body| body.coast_by(h_sixth));
+            body.kick_by(both.0, third);
+            body.twist(both.1.part(third));
         });
 
         let now = Now::end(step, tick);
         forces.prepare(&now);
         self.evaluate(ids, forces, &now);
         self.each(bodies, |body, _, live, k1| {
-            body.kick_by(*k1 + live.velocity(), sixth);
+            body.kick_by(k1.0 + live.velocity(), sixth);
+            body.twist(k1.1.sum(live.spin()).part(sixth));
         });
         damp(bodies, forces, &now, Part::SecondHalf);
     }

@@ -81,7 +81,7 @@ impl<R: Raw> Coef<R> {
 
     /// `value / 2^shift`; the shift lies within the range of a coefficient's.
     #[inline]
-    pub(super) fn of_raw(value: R, shift: u32) -> Coef<R> {
+    pub(super) const fn of_raw(value: R, shift: u32) -> Coef<R> {
         Coef {
             mantissa: value,
             shift,

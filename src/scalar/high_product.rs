@@ -65,6 +65,15 @@ fn rounded_sum_halves(sum: i32, a: i32, b: i32) -> i32 {
     sum.wrapping_add(high).wrapping_add(low >> 16)
 }
 
+/// `a b / 2^32`, rounded half up: with the sum it is added to, SMMLAR on a Cortex-M4.
+#[inline(always)]
+pub(super) fn rounded_product_i32(a: i32, b: i32) -> i32 {
+    #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+    return ((product_i32(a, b) + (1 << 31)) >> 32) as i32;
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    return high_product_halves(a, b).wrapping_add((a.wrapping_mul(b) as u32 >> 31) as i32);
+}
+
 #[inline(always)]
 pub(super) fn high_product_i64(a: i64, b: i64) -> i64 {
     ((a as i128 * b as i128) >> 64) as i64

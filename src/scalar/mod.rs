@@ -16,6 +16,9 @@
 //! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
+mod angular;
+mod angular_fixed;
+mod angular_float;
 #[cfg_attr(
     not(all(target_arch = "arm", not(target_has_atomic = "32"))),
     allow(dead_code)
@@ -24,6 +27,7 @@ mod bitwise;
 mod carry;
 mod carry_fixed;
 mod carry_float;
+mod circle;
 mod decay;
 #[cfg_attr(
     all(target_arch = "arm", not(target_has_atomic = "32")),
@@ -38,6 +42,7 @@ mod high_product;
 mod integer;
 mod raw;
 mod stored;
+mod turns;
 
 use core::fmt::Debug;
 
@@ -45,10 +50,12 @@ use crate::ratio::Ratio;
 
 pub(crate) use division::{Word, divide_words};
 
+pub use angular::{Angular, CarryAngular};
 pub use carry::Carry;
 pub use decay::Decay;
 pub use factor::{Coef, Gain, InvMass, Span};
 pub use stored::Stored;
+pub use turns::Turns;
 
 /// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {

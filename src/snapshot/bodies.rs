@@ -6,8 +6,9 @@
 //! ```
 
 use super::Saved;
-use crate::body::{Body, Point};
+use crate::body::Body;
 use crate::carried::Carried;
+use crate::point::Point;
 use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
 

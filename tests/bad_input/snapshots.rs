@@ -95,6 +95,7 @@ struct Other(Point<I16F16>);
 
 impl Body for Other {
     type S = I16F16;
+    type Spin = fixstep::spin::NoSpin;
 
     fn position(&self) -> Vec2<I16F16> {
         self.0.position()

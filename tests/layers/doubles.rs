@@ -7,17 +7,27 @@
 use super::{Source, names, sources, word};
 
 /// What returns or takes an `f64`: read-outs, and `from_f64`, which makes constants on the host.
-const READ_OUTS: [&str; 6] = [
+const READ_OUTS: [&str; 12] = [
     "to_f64",
     "from_f64",
     "momentum",
     "kinetic_energy",
     "potential_energy",
     "potential",
+    "kept_to_f64",
+    "spin_to_f64",
+    "spin_energy",
+    "spin_momentum",
+    "angular_momentum",
+    "potential_along",
 ];
 
 /// Where `f64` is the scalar itself.
-const INSTANCES: [(&str, &str); 4] = [
+const INSTANCES: [(&str, &str); 8] = [
+    ("scalar/angular_float.rs", "count!(count_f64, f64, "),
+    ("scalar/angular_float.rs", "count!(count_fine_f64, f64, "),
+    ("scalar/angular_float.rs", "float_angular!(f64, "),
+    ("scalar/angular_float.rs", "float_carry_angular!(f64, "),
     ("scalar/carry_float.rs", "float_carry!(f64, "),
     ("scalar/decay.rs", "float_decay!(f64, "),
     ("scalar/float.rs", "float_scalar!(f64, "),
@@ -39,7 +49,10 @@ fn mentions(source: &Source) -> Vec<usize> {
         whole && code[at + 1..].starts_with(|c: char| c.is_ascii_digit())
     });
     match source.name.as_str() {
-        "scalar/carry_float.rs" | "scalar/decay.rs" | "scalar/float.rs" => named.collect(),
+        "scalar/angular_float.rs"
+        | "scalar/carry_float.rs"
+        | "scalar/decay.rs"
+        | "scalar/float.rs" => named.collect(),
         _ => named.chain(literals).collect(),
     }
 }

@@ -17,6 +17,7 @@ struct Rocket {
 
 impl Body for Rocket {
     type S = I16F16;
+    type Spin = fixstep::spin::NoSpin;
 
     fn position(&self) -> Vec2<I16F16> {
         self.point.position()

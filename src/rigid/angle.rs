@@ -1,0 +1,136 @@
+//! Angles, and what turns a vector by one.
+
+use crate::error::Error;
+use crate::ratio::Ratio;
+use crate::scalar::{Angular, Turns};
+use crate::vec2::Vec2;
+
+/// An angle: a fraction of a turn that uses all bits of an integer, `2^-32` turns beside a 32-bit scalar.
+/// It wraps where a turn does, exactly, and has no drift, however far a body has turned.
+///
+/// Positive angles lead from x to y: with x to the right and y up, against the clock.
+///
+/// ```
+/// use fixstep::{dec, vec2, Angle, fixed::types::I16F16};
+/// let quarter = Angle::<I16F16>::turns(dec!(0.25));
+/// assert_eq!(quarter + quarter + quarter + quarter, Angle::ZERO);
+/// assert_eq!(quarter, Angle::degrees(90)?);
+/// assert_eq!(quarter.rotation().turn(vec2(3, 1)?), vec2(-1, 3)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Angle<S: Angular>(S::Turns);
+
+impl<S: Angular> Angle<S> {
+    /// No angle.
+    pub const ZERO: Angle<S> = Angle(S::Turns::ZERO);
+
+    /// The angle nearest to `turns`; whole turns fall away.
+    #[inline(always)]
+    #[must_use]
+    pub fn turns(turns: impl Into<Ratio>) -> Angle<S> {
+        Angle(S::Turns::nearest(turns.into()))
+    }
+
+    /// The angle nearest to `degrees`. Refuses a number that 62 bits cannot hold as turns.
+    #[inline(always)]
+    pub fn degrees(degrees: impl Into<Ratio>) -> Result<Angle<S>, Error> {
+        let (field, value) = ("degrees", degrees.into());
+        let error = Error::OutOfRange { field, value };
+        let den = value.den().checked_mul(360).ok_or(error)?;
+        Ratio::new(value.num(), den)
+            .map(Angle::turns)
+            .map_err(|_| error)
+    }
+
+    /// The count that it is, in parts of a turn.
+    #[inline]
+    #[must_use]
+    pub const fn count(self) -> S::Turns {
+        self.0
+    }
+
+    /// The angle of that count.
+    #[inline]
+    #[must_use]
+    pub const fn of_count(count: S::Turns) -> Angle<S> {
+        Angle(count)
+    }
+
+    /// Turns from -1/2 to 1/2, for reports.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        self.0.to_f64()
+    }
+
+    /// Its cosine and sine, made once for all vectors that turn by it.
+    #[inline]
+    #[must_use]
+    pub fn rotation(self) -> Rotation<S> {
+        Rotation(S::circle(self.0))
+    }
+}
+
+impl<S: Angular> core::ops::Add for Angle<S> {
+    type Output = Angle<S>;
+
+    #[inline]
+    fn add(self, other: Angle<S>) -> Angle<S> {
+        Angle(self.0.plus(other.0))
+    }
+}
+
+impl<S: Angular> core::ops::Neg for Angle<S> {
+    type Output = Angle<S>;
+
+    #[inline]
+    fn neg(self) -> Angle<S> {
+        Angle(self.0.negated())
+    }
+}
+
+impl<S: Angular> core::ops::Sub for Angle<S> {
+    type Output = Angle<S>;
+
+    #[inline]
+    fn sub(self, other: Angle<S>) -> Angle<S> {
+        self + -other
+    }
+}
+
+/// The cosine and the sine of an angle: turns vectors. Beside a 32-bit scalar each is off by at most 1.5
+/// units of `2^-30`; lengths change by as much, and do not add up, since no rotation is made from another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotation<S: Angular>([S::Unit; 2]);
+
+impl<S: Angular> Rotation<S> {
+    /// `v` turned: from the axes of a body to those of the world. Each part is rounded once.
+    #[inline]
+    #[must_use]
+    pub fn turn(self, v: Vec2<S>) -> Vec2<S> {
+        let [x, y] = S::rotated(self.0, v.array());
+        Vec2 { x, y }
+    }
+
+    /// `v` turned back: from the axes of the world to those of a body.
+    #[inline]
+    #[must_use]
+    pub fn turn_back(self, v: Vec2<S>) -> Vec2<S> {
+        let [cos, sin] = self.0;
+        Rotation([cos, S::opposite(sin)]).turn(v)
+    }
+
+    /// The cosine, rounded to the scalar.
+    #[inline]
+    #[must_use]
+    pub fn cos(self) -> S {
+        S::of_unit(self.0[0])
+    }
+
+    /// The sine, rounded to the scalar.
+    #[inline]
+    #[must_use]
+    pub fn sin(self) -> S {
+        S::of_unit(self.0[1])
+    }
+}

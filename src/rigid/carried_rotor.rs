@@ -1,0 +1,129 @@
+//! The rotor of a body that carries: 20 bytes in a 32-bit scalar.
+
+use super::angle::Angle;
+use super::rotor::Rotor;
+use crate::scalar::CarryAngular;
+use crate::step::Revolve;
+
+/// The rotor that keeps what its roundings leave over: an angle of twice the bits, and a remainder of the
+/// spin. Turns at a dyadic rate are exact for ever, at any other to the last digit of `h`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CarriedRotor<S: CarryAngular> {
+    angle: S::Fine,
+    spin: S,
+    inv_inertia: S::Coef,
+    rest: S::Rest,
+}
+
+impl<S: CarryAngular> CarriedRotor<S> {
+    #[inline]
+    fn kept(&self) -> (S, S::Rest) {
+        (self.spin, self.rest)
+    }
+
+    #[inline]
+    fn set_kept(&mut self, (spin, rest): (S, S::Rest)) {
+        (self.spin, self.rest) = (spin, rest);
+    }
+
+    /// Angle and remainder of the spin, for a snapshot.
+    pub(crate) const fn parts(&self) -> (S::Fine, S::Rest) {
+        (self.angle, self.rest)
+    }
+
+    /// From a state that was one before.
+    pub(crate) fn from_parts(
+        angle: S::Fine,
+        kept: (S, S::Rest),
+        inv_inertia: S::Coef,
+    ) -> CarriedRotor<S> {
+        let (spin, rest) = kept;
+        CarriedRotor {
+            angle,
+            spin,
+            inv_inertia,
+            rest,
+        }
+    }
+}
+
+impl<S: CarryAngular> Revolve<S> for CarriedRotor<S> {
+    #[inline]
+    fn revolved(self, h: S::Coef, halvings: u32) -> Self {
+        let angle = S::fine_turned(self.angle, self.kept(), h, halvings);
+        CarriedRotor { angle, ..self }
+    }
+
+    #[inline(always)]
+    fn revolved_dyadic(self, num: u32, shift: u32) -> Self {
+        let angle = S::fine_turned_dyadic(self.angle, self.kept(), num, shift);
+        CarriedRotor { angle, ..self }
+    }
+}
+
+impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
+    #[inline]
+    fn new(inv_inertia: S::Coef) -> Self {
+        let angle = S::fine(Angle::<S>::ZERO.count());
+        Self::from_parts(angle, (S::ZERO, S::NO_REST), inv_inertia)
+    }
+
+    #[inline]
+    fn angle(&self) -> Angle<S> {
+        Angle::of_count(S::coarse(self.angle))
+    }
+
+    #[inline]
+    fn spin(&self) -> S {
+        self.spin
+    }
+
+    #[inline]
+    fn inv_inertia(&self) -> S::Coef {
+        self.inv_inertia
+    }
+
+    #[inline]
+    fn set_angle(&mut self, angle: Angle<S>) {
+        self.angle = S::fine(angle.count());
+    }
+
+    #[inline]
+    fn set_spin(&mut self, spin: S) {
+        self.set_kept((spin, S::NO_REST));
+    }
+
+    #[inline]
+    fn twist(&mut self, change: S) {
+        self.spin = self.spin.plus(change);
+    }
+
+    #[inline]
+    fn twist_by(&mut self, value: S, factor: S::Coef) {
+        self.set_kept(S::kicked(self.kept(), value, factor));
+    }
+
+    #[inline]
+    fn twist_by_sum(&mut self, sum: S::Sum, factor: S::Coef) {
+        self.set_kept(S::twisted(self.kept(), sum, factor));
+    }
+
+    #[inline]
+    fn damp(&mut self, loss: S::Coef) {
+        self.set_kept(S::damped(self.kept(), loss));
+    }
+
+    #[inline]
+    fn reverse(&mut self) {
+        self.set_kept(S::turned(self.kept()));
+    }
+
+    fn spin_to_f64(&self) -> f64 {
+        S::kept_to_f64(self.kept())
+    }
+
+    fn write_left_over(&self, write: &mut impl FnMut(u64)) {
+        S::fine_halves(self.angle).into_iter().for_each(&mut *write);
+        write(S::rest_left_over(self.rest));
+    }
+}

@@ -1,0 +1,245 @@
+//! Rung two: bodies that turn.
+//!
+//! ```text
+//! x' = x + h v      v' = v + J / m          J an impulse, r where it acts, from the centre of mass
+//! θ' = θ + h s      s' = s + r×J / (2π I)   s in turns/s; r×J = r.x J.y - r.y J.x
+//! ```
+//!
+//! A [`Rigid`] is a body of rung one, its centre of mass, with a [rotor]. It has all the verbs of its centre,
+//! so worlds, methods and forces of rung one move it as they move points; what is about rotation is
+//! [`Rotating`], and [`torque`](crate::torque) has the forces that turn.
+//!
+//! Source: Hecker, "Physics, Part 2: Angular Effects" (Game Developer, 1996).
+
+mod angle;
+pub mod carried_rotor;
+mod rotating;
+pub mod rotor;
+mod state;
+
+use crate::body::{Body, finite};
+use crate::carried::Carried;
+use crate::error::Error;
+use crate::point::Point;
+use crate::ratio::Ratio;
+use crate::scalar::{Angular, CarryAngular, Factor, Scalar};
+use crate::vec2::Vec2;
+
+pub use angle::{Angle, Rotation};
+pub use carried_rotor::CarriedRotor;
+pub use rotating::Rotating;
+pub use rotor::{PlainRotor, Rotor};
+
+/// A body of rung one that can be the centre of mass of a rigid one.
+pub trait Centre: Body<S: Angular> {
+    /// How its body turns.
+    type Rotor: Rotor<Self::S>;
+
+    /// One that no force moves. Refuses NaN and infinity.
+    fn driven(position: Vec2<Self::S>, velocity: Vec2<Self::S>) -> Result<Self, Error>;
+
+    /// The same with another inverse mass, which nothing checks; for what reads and writes bodies.
+    #[must_use]
+    fn with_inv_mass(self, inv_mass: <Self::S as Scalar>::InvMass) -> Self;
+
+    /// Puts it elsewhere. Refuses NaN and infinity.
+    fn teleport(&mut self, position: Vec2<Self::S>) -> Result<(), Error>;
+
+    /// Gives it another velocity. Refuses NaN and infinity.
+    fn set_velocity(&mut self, velocity: Vec2<Self::S>) -> Result<(), Error>;
+}
+
+macro_rules! centre {
+    ($centre:ident<$scalar:ident>, $rotor:ident) => {
+        impl<S: $scalar> Centre for $centre<S> {
+            type Rotor = $rotor<S>;
+
+            fn driven(position: Vec2<S>, velocity: Vec2<S>) -> Result<Self, Error> {
+                let point = Point::new(position, velocity, 1)?;
+                Ok($centre::from(point).with_inv_mass(S::DRIVEN))
+            }
+
+            fn with_inv_mass(self, inv_mass: S::InvMass) -> Self {
+                self.of_inv_mass(inv_mass)
+            }
+
+            fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
+                $centre::teleport(self, position)
+            }
+
+            fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
+                $centre::set_velocity(self, velocity)
+            }
+        }
+    };
+}
+
+centre!(Point<Angular>, PlainRotor);
+centre!(Carried<CarryAngular>, CarriedRotor);
+
+/// What moves a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Forces do.
+    Dynamic,
+    /// Its own velocity and spin, which no force changes.
+    Kinematic,
+    /// Nothing: a kinematic body at rest.
+    Static,
+}
+
+/// A rigid body: `Rigid<Point<S>>` of 36 bytes in 32-bit fixed point (32 in `f32`), or `Rigid<Carried<S>>`, which keeps
+/// what its roundings leave over, of 56.
+///
+/// ```
+/// use fixstep::{dec, vec2, Angle, Point, Rigid, SemiImplicitEuler, Step, World, fixed::types::I16F16};
+/// // A rod of 2 kg and 1.2 m: inertia m l² / 12.
+/// let centre = Point::<I16F16>::new(vec2(0, 5)?, vec2(1, 0)?, 2)?;
+/// let rod = Rigid::new(centre, dec!(0.24))?.with_angle(Angle::degrees(30)?).with_spin(dec!(0.5))?;
+/// let mut world = World::<_, 4>::new();
+/// let id = world.add(rod)?;
+/// for _ in 0..60 {
+///     world.step(&mut SemiImplicitEuler, &mut (), &Step::hz(60)?);
+/// }
+/// let turned = world.get(id)?.angle() - Angle::degrees(30)?;
+/// assert!((turned.to_f64().abs() - 0.5).abs() < 1e-7); // half a turn
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rigid<C: Centre> {
+    centre: C,
+    rotor: C::Rotor,
+}
+
+/// `2π`, to 62 bits.
+const TAU: (i64, u64) = (3_622_009_729_038_561_421, 1 << 59);
+
+impl<C: Centre> Rigid<C> {
+    /// A body with `inertia`, its moment of inertia about `centre`, kg m²; at angle zero and without spin.
+    ///
+    /// Refuses an inertia that is not positive, or so small that its inverse cannot be held (32-bit fixed
+    /// point: below 1.5e-10 kg m²).
+    #[inline]
+    pub fn new(centre: C, inertia: impl Into<Ratio>) -> Result<Rigid<C>, Error> {
+        let (field, value) = ("inertia", inertia.into());
+        let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
+        let error = Error::OutOfRange { field, value };
+        let tau = Ratio::new(TAU.0, TAU.1).map_err(|_| error)?;
+        let inv_inertia = inverse.over(tau).and_then(Factor::new).ok_or(error)?;
+        Ok(Self::with_inv_inertia(centre, inv_inertia))
+    }
+
+    /// A body that forces move but nothing turns.
+    #[inline]
+    #[must_use]
+    pub fn locked(centre: C) -> Rigid<C> {
+        Self::with_inv_inertia(centre, C::S::ZERO.coef())
+    }
+
+    /// A body that moves with `velocity` (m/s), and with the spin it is given, whatever forces act. Refuses
+    /// NaN and infinity.
+    #[inline]
+    pub fn kinematic(position: Vec2<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error> {
+        C::driven(position, velocity).map(Self::locked)
+    }
+
+    /// A static body: one that stays where it is. Refuses NaN and infinity.
+    #[inline]
+    pub fn fixed(position: Vec2<C::S>) -> Result<Rigid<C>, Error> {
+        Self::kinematic(position, Vec2::ZERO)
+    }
+
+    #[inline]
+    fn with_inv_inertia(centre: C, inv_inertia: <C::S as Scalar>::Coef) -> Rigid<C> {
+        let rotor = C::Rotor::new(inv_inertia);
+        Rigid { centre, rotor }
+    }
+
+    /// The same body at another angle.
+    #[inline]
+    #[must_use]
+    pub fn with_angle(mut self, angle: Angle<C::S>) -> Rigid<C> {
+        self.rotor.set_angle(angle);
+        self
+    }
+
+    /// The same body with a spin, turns/s. Refuses a value outside the range.
+    #[inline]
+    pub fn with_spin(mut self, spin: impl Into<Ratio>) -> Result<Rigid<C>, Error> {
+        let (field, value) = ("spin", spin.into());
+        let spin = C::S::ratio(value).ok_or(Error::OutOfRange { field, value })?;
+        self.rotor.set_spin(spin);
+        Ok(self)
+    }
+
+    /// What moves it.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        let at_rest = self.velocity() == Vec2::ZERO && self.spin() == C::S::ZERO;
+        match (self.is_driven(), at_rest) {
+            (false, _) => Kind::Dynamic,
+            (true, false) => Kind::Kinematic,
+            (true, true) => Kind::Static,
+        }
+    }
+
+    /// Position of the centre of mass, m.
+    #[inline]
+    #[must_use]
+    pub fn position(&self) -> Vec2<C::S> {
+        self.centre.position()
+    }
+
+    /// Velocity of the centre of mass, m/s.
+    #[inline]
+    #[must_use]
+    pub fn velocity(&self) -> Vec2<C::S> {
+        self.centre.velocity()
+    }
+
+    /// Its angle.
+    #[inline]
+    #[must_use]
+    pub fn angle(&self) -> Angle<C::S> {
+        self.rotor.angle()
+    }
+
+    /// Its spin, turns/s.
+    #[inline]
+    #[must_use]
+    pub fn spin(&self) -> C::S {
+        self.rotor.spin()
+    }
+
+    /// Puts the body elsewhere; its velocity stays. Refuses NaN and infinity.
+    pub fn teleport(&mut self, position: Vec2<C::S>) -> Result<(), Error> {
+        self.centre.teleport(position)
+    }
+
+    /// Gives it another velocity: the way to drive a kinematic body. Refuses NaN and infinity.
+    pub fn set_velocity(&mut self, velocity: Vec2<C::S>) -> Result<(), Error> {
+        self.centre.set_velocity(velocity)
+    }
+
+    /// Sets it at another angle; its spin stays.
+    pub fn set_angle(&mut self, angle: Angle<C::S>) {
+        self.rotor.set_angle(angle);
+    }
+
+    /// Gives it another spin, turns/s. Refuses NaN and infinity.
+    pub fn set_spin(&mut self, spin: C::S) -> Result<(), Error> {
+        finite("spin", Vec2::new(spin, C::S::ZERO))?;
+        self.rotor.set_spin(spin);
+        Ok(())
+    }
+
+    /// Both halves, for a snapshot.
+    pub(crate) const fn halves(&self) -> (&C, &C::Rotor) {
+        (&self.centre, &self.rotor)
+    }
+
+    /// From halves that were one body before.
+    pub(crate) const fn from_halves(centre: C, rotor: C::Rotor) -> Rigid<C> {
+        Rigid { centre, rotor }
+    }
+}

@@ -1,0 +1,189 @@
+//! The verbs of a rigid body: those of its centre, and as much for its rotor.
+//!
+//! A driven body has an inverse mass and inertia of zero, so whatever is multiplied by them leaves it as it is;
+//! only a kick, which is the same for every mass, has to ask.
+
+use super::rotor::Rotor;
+use super::{Centre, Rigid};
+use crate::body::{Body, Turn};
+use crate::point::Point;
+use crate::scalar::{Angular, Exact, Factor, Scalar};
+use crate::step::{Revolve, TimeStep};
+use crate::vec2::Vec2;
+
+type Coef<B> = <<B as Body>::S as Scalar>::Coef;
+
+impl<C: Centre> Body for Rigid<C> {
+    type S = C::S;
+    type Spin = C::S;
+
+    #[inline]
+    fn position(&self) -> Vec2<C::S> {
+        self.centre.position()
+    }
+
+    #[inline]
+    fn velocity(&self) -> Vec2<C::S> {
+        self.centre.velocity()
+    }
+
+    #[inline]
+    fn inv_mass(&self) -> <C::S as Scalar>::InvMass {
+        self.centre.inv_mass()
+    }
+
+    #[inline]
+    fn kick(&mut self, dv: Vec2<C::S>) {
+        if !self.is_driven() {
+            self.centre.kick(dv);
+        }
+    }
+
+    #[inline]
+    fn kick_y(&mut self, dv: C::S) {
+        if !self.is_driven() {
+            self.centre.kick_y(dv);
+        }
+    }
+
+    #[inline]
+    fn kick_by(&mut self, value: Vec2<C::S>, factor: Coef<C>) {
+        if !self.is_driven() {
+            self.centre.kick_by(value, factor);
+        }
+    }
+
+    #[inline]
+    fn brake_by(&mut self, value: Vec2<C::S>, factor: Coef<C>) {
+        if !self.is_driven() {
+            self.centre.brake_by(value, factor);
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, impulse: Vec2<C::S>) {
+        if !self.is_driven() {
+            self.centre.push(impulse);
+        }
+    }
+
+    #[inline]
+    fn damp(&mut self, loss: Coef<C>) {
+        if !self.is_driven() {
+            self.centre.damp(loss);
+        }
+    }
+
+    #[inline]
+    fn kick_from(&mut self, from: Vec2<C::S>, factor: Coef<C>) {
+        if !self.is_driven() {
+            self.centre.kick_from(from, factor);
+        }
+    }
+
+    #[inline]
+    fn halt(&mut self) {
+        self.centre.halt();
+        self.rotor.set_spin(C::S::ZERO);
+    }
+
+    #[inline]
+    fn shift(&mut self, dx: Vec2<C::S>) {
+        self.centre.shift(dx);
+    }
+
+    #[inline]
+    fn move_by(&mut self, value: Vec2<C::S>, factor: Coef<C>) {
+        self.centre.move_by(value, factor);
+    }
+
+    #[inline]
+    fn drift(&mut self, step: &impl TimeStep<C::S>) {
+        self.centre.drift(step);
+        self.coast(step);
+    }
+
+    #[inline]
+    fn drift_half(&mut self, step: &impl TimeStep<C::S>) {
+        self.centre.drift_half(step);
+        self.coast_half(step);
+    }
+
+    #[inline]
+    fn drift_by(&mut self, factor: Coef<C>) {
+        self.centre.drift_by(factor);
+    }
+
+    #[inline]
+    fn swing(&mut self, from: Vec2<C::S>, by: [Coef<C>; 4]) {
+        self.centre.swing(from, by);
+    }
+
+    #[inline]
+    fn mirror(&mut self, about: Vec2<C::S>) {
+        self.centre.mirror(about);
+    }
+
+    #[inline]
+    fn spin(&self) -> C::S {
+        self.rotor.spin()
+    }
+
+    #[inline]
+    fn twist(&mut self, change: C::S) {
+        self.rotor.twist(change);
+    }
+
+    #[inline]
+    fn coast(&mut self, step: &impl TimeStep<C::S>) {
+        self.rotor = step.revolve(self.rotor);
+    }
+
+    #[inline]
+    fn coast_half(&mut self, step: &impl TimeStep<C::S>) {
+        self.rotor = step.revolve_half(self.rotor);
+    }
+
+    #[inline]
+    fn coast_by(&mut self, factor: Coef<C>) {
+        self.rotor = self.rotor.revolved(factor, 0);
+    }
+
+    #[inline]
+    fn is_driven(&self) -> bool {
+        self.inv_mass() == C::S::DRIVEN
+    }
+
+    // With s = ω / 2π and the inverse i = 1 / 2πI: I ω²/2 = π s² / i and I ω = s / i.
+    fn spin_energy(&self) -> f64 {
+        core::f64::consts::PI * self.spin().to_f64() * self.spin_momentum()
+    }
+
+    fn spin_momentum(&self) -> f64 {
+        let inv_inertia = self.rotor.inv_inertia().to_f64();
+        if inv_inertia == 0.0 {
+            return 0.0;
+        }
+        self.rotor.spin_to_f64() / inv_inertia
+    }
+
+    fn write_state(&self, write: &mut impl FnMut(u64)) {
+        self.centre.write_state(write);
+        write(crate::scalar::Turns::bits(self.angle().count()));
+        write(self.spin().bits());
+        self.rotor.write_left_over(write);
+    }
+
+    #[inline]
+    fn is_inside(&self) -> bool {
+        self.centre.is_inside() && self.spin().is_inside()
+    }
+}
+
+impl<S: Angular + Exact> Turn for Rigid<Point<S>> {
+    #[inline]
+    fn turn(&mut self) {
+        self.centre.turn();
+        self.rotor.reverse();
+    }
+}

@@ -1,0 +1,205 @@
+//! Angles beside fixed point: a spin of F fractional bits is `2^-F` turns a second.
+//!
+//! ```text
+//! m / 2^k s  ·  n 2^-F turns/s  =  n m / 2^(k + F - 32)  units of 2^-32 turns
+//! ```
+//!
+//! In 32 bits that factor is a whole number, whose product wraps as the angle does, and a fraction, made
+//! odd so that its product never lies half-way: see `factor.rs`. It adds `2^-32` of a unit to it,
+//! 5e-11 of `h` in an `I8F24` at 60 Hz.
+
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+
+use super::angular::{Angular, CarryAngular};
+use super::carry_fixed::parted;
+use super::circle::{circle_u32, circle_u64};
+use super::factor::{Coef, InvMass};
+use super::fine::{FINE, changed, fine, rounded, scaled};
+use super::high_product::rounded_product_i32;
+use super::raw::Raw;
+
+/// `n m / 2^(shift - 32)`, modulo `2^32`; nearest, odd.
+#[inline]
+fn steps_i32(n: i32, mantissa: i32, shift: u32) -> u32 {
+    match shift {
+        33..=62 => {
+            let (whole, fraction) = parted(mantissa, shift);
+            let part = rounded_product_i32(n, fraction);
+            n.wrapping_mul(whole).wrapping_add(part) as u32
+        }
+        63.. => rounded(n as i64 * mantissa as i64, (shift - 32).min(62)) as u32,
+        _ => (n.wrapping_mul(mantissa) as u32) << (32 - shift),
+    }
+}
+
+/// `n m / 2^(shift - 64)`, modulo `2^64`, in the same way.
+fn steps_i64(n: i64, mantissa: i64, shift: u32) -> u64 {
+    let product = n as i128 * mantissa as i128;
+    match shift.checked_sub(64) {
+        None | Some(0) => (product as u64) << (64 - shift).min(63),
+        Some(down) => {
+            let down = down.min(126);
+            (product + (1 << (down - 1)) + (product >> 127) >> down) as u64
+        }
+    }
+}
+
+macro_rules! fixed_angular {
+    ($fixed:ident<$bound:ident>, $raw:ident, $wide:ident, $turns:ident, $steps:path, $circle:path,
+     $tau:literal) => {
+        impl<F: $bound> Angular for $fixed<F> {
+            type Turns = $turns;
+            type Unit = $raw;
+
+            const TAU: Coef<$raw> = Coef::of_raw($tau, $raw::BITS - 4);
+            const DRIVEN: InvMass<$raw> = InvMass(0);
+
+            #[inline]
+            fn advanced(angle: $turns, spin: Self, h: Coef<$raw>, halvings: u32) -> $turns {
+                let (mantissa, shift) = h.parts();
+                angle.wrapping_add($steps(spin.to_bits(), mantissa, shift + halvings + F::U32))
+            }
+
+            #[inline(always)]
+            fn advanced_dyadic(angle: $turns, spin: Self, num: u32, shift: u32) -> $turns {
+                let (n, num) = (spin.to_bits(), num as $raw);
+                let steps = match (shift + F::U32).checked_sub($turns::BITS) {
+                    None | Some(0) => {
+                        let up = $turns::BITS - shift - F::U32;
+                        (n.wrapping_mul(num) as $turns).wrapping_shl(up)
+                    }
+                    Some(down) => {
+                        let product = n as $wide * num as $wide;
+                        let half = 1 << (down - 1);
+                        ((product + half + (product >> ($wide::BITS - 1))) >> down) as $turns
+                    }
+                };
+                angle.wrapping_add(steps)
+            }
+
+            #[inline]
+            fn circle(angle: $turns) -> [$raw; 2] {
+                $circle(angle)
+            }
+
+            #[inline]
+            fn rotated([cos, sin]: [$raw; 2], v: [Self; 2]) -> [Self; 2] {
+                let v = v.map(Self::to_bits);
+                let turned = |by| Raw::rounded(Raw::dot(by, v), $raw::BITS - 2);
+                [turned([cos, -sin]), turned([sin, cos])].map($fixed::from_bits)
+            }
+
+            #[inline]
+            fn opposite(unit: $raw) -> $raw {
+                -unit
+            }
+
+            #[inline]
+            fn of_unit(unit: $raw) -> Self {
+                $fixed::from_bits(Raw::rounded(unit.product(1 << F::U32), $raw::BITS - 2))
+            }
+
+            fn weighed(sum: $wide, factor: Coef<$raw>) -> Self {
+                let ((value, up), (mantissa, shift)) = ($raw::renormalised(sum), factor.parts());
+                let product = value.product(mantissa);
+                $fixed::from_bits(match (shift + F::U32).checked_sub(up) {
+                    None | Some(0) => {
+                        let wide = product.saturating_mul(1 << (up - shift - F::U32));
+                        wide.clamp(-$raw::MAX as $wide, $raw::MAX as $wide) as $raw
+                    }
+                    // A product of two mantissas is less than half of what 63 bits would take away.
+                    Some(down) if down > 2 * $raw::BITS - 2 => 0,
+                    Some(down) => Raw::rounded(product, down),
+                })
+            }
+        }
+    };
+}
+
+fixed_angular!(
+    FixedI32<LeEqU32>,
+    i32,
+    i64,
+    u32,
+    steps_i32,
+    circle_u32,
+    0x6487_ED51
+);
+fixed_angular!(
+    FixedI64<LeEqU64>,
+    i64,
+    i128,
+    u64,
+    steps_i64,
+    circle_u64,
+    0x6487_ED51_10B4_611A
+);
+
+/// `value m / 2^(shift - 64)` modulo `2^64`, for shifts of 95 at most.
+#[inline]
+fn fine_steps(value: i32, mantissa: i32, shift: u32) -> u64 {
+    let product = value as i64 * mantissa as i64;
+    match shift.checked_sub(64) {
+        None | Some(0) => (product as u64) << (64 - shift).min(63),
+        Some(down) => rounded(product, down) as u64,
+    }
+}
+
+// The angle has 64 bits: at 60 Hz an `I16F16` and its remainder lose none.
+impl<F: LeEqU32> CarryAngular for FixedI32<F> {
+    type Fine = u64;
+
+    #[inline]
+    fn fine(angle: u32) -> u64 {
+        (angle as u64) << 32
+    }
+
+    // Half a unit goes up in the upper half of the turn, which is the negative one.
+    #[inline]
+    fn coarse(fine: u64) -> u32 {
+        let (high, low) = ((fine >> 32) as u32, fine as u32);
+        let up = low >= (1 << 31) + (high >> 31);
+        high.wrapping_add(up as u32)
+    }
+
+    #[inline]
+    fn fine_turned(fine: u64, (spin, rest): (Self, i16), h: Coef<i32>, halvings: u32) -> u64 {
+        let (mantissa, shift) = h.parts();
+        let shift = shift + halvings + F::U32;
+        fine.wrapping_add(fine_steps(spin.to_bits(), mantissa, shift))
+            .wrapping_add(fine_steps(rest as i32, mantissa, shift + FINE))
+    }
+
+    #[inline(always)]
+    fn fine_turned_dyadic(fine: u64, (spin, rest): (Self, i16), num: u32, shift: u32) -> u64 {
+        let (num, shift) = (num as i32, shift + F::U32);
+        fine.wrapping_add(fine_steps(spin.to_bits(), num, shift))
+            .wrapping_add(fine_steps(rest as i32, num, shift + FINE))
+    }
+
+    fn twisted((spin, rest): (Self, i16), sum: i64, factor: Coef<i32>) -> (Self, i16) {
+        let ((value, up), (mantissa, shift)) = (Raw::renormalised(sum), factor.parts());
+        let shift = shift + F::U32;
+        let change = match shift.checked_sub(up) {
+            None => scaled(value, mantissa, 0, FINE + up - shift),
+            Some(down) if down > 62 + FINE => 0,
+            Some(down) => scaled(value, mantissa, down, FINE),
+        };
+        let (spin, rest) = changed(spin.to_bits(), rest, change);
+        (FixedI32::from_bits(spin), rest)
+    }
+
+    fn kept_to_f64((spin, rest): (Self, i16)) -> f64 {
+        fine(spin.to_bits(), rest) as f64 / (1_u64 << (F::U32 + FINE)) as f64
+    }
+
+    fn fine_halves(fine: u64) -> [u64; 2] {
+        [fine >> 32, fine & u32::MAX as u64]
+    }
+
+    fn of_fine_halves([high, low]: [u64; 2]) -> Option<u64> {
+        let [high, low] = [u32::try_from(high).ok()?, u32::try_from(low).ok()?];
+        Some((high as u64) << 32 | low as u64)
+    }
+}

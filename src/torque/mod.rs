@@ -1,0 +1,20 @@
+//! Forces that turn bodies.
+//!
+//! | force | acts on | cost |
+//! |---|---|---|
+//! | [`Torque`] | one body | a product and one more |
+//! | [`SpinDrag`] | every body, damped | a product; an exponential where the inertia changes |
+//! | [`Attached`] | two bodies, at a point of each | a [`Spring`](crate::Spring), and for each body a sine, a cosine and ten products |
+//! | [`Wrench`] | what a function of [`PerBody`](crate::PerBody) may return | two products an axis |
+//!
+//! The forces of [`force`](crate::force) act on the centre of mass of a body that turns as they do on a point.
+
+mod attached;
+mod spin_drag;
+mod torque;
+mod wrench;
+
+pub use attached::Attached;
+pub use spin_drag::SpinDrag;
+pub use torque::Torque;
+pub use wrench::Wrench;
