@@ -41,6 +41,11 @@ impl<S: Scalar> Between<S> {
         Ok(Between { part, bow })
     }
 
+    /// The part, as a coefficient.
+    pub(crate) const fn part(&self) -> S::Coef {
+        self.part
+    }
+
     /// On the straight line from `before` to `after`.
     #[inline]
     #[must_use]

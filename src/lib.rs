@@ -6,6 +6,7 @@
 //! ```
 //!
 //! * [`World`] holds the bodies; [`Point`] is the compact one, 20 bytes in any 32-bit scalar.
+//! * A [`Rigid`] body is a point that turns, with an [`Angle`] that has no drift.
 //! * A [`Force`](force) says what it does to a body; a tuple of forces is a force.
 //! * A [method](integrate) says when. [`Verlet`] is the one to start with.
 //! * [`guide`]: which method, which number type, which rate.
@@ -21,11 +22,12 @@
 //! | rung | what a scene adds | where |
 //! |---|---|---|
 //! | 1 | points with mass, forces, a method | root files, [`force`], [`integrate`] |
+//! | 2 | bodies that turn, torques | [`rigid`], [`torque`] |
 //!
 //! Optional features, none on by default: `serde`, `defmt` (its `Format`), `mint` (vectors).
 //!
-//! Rotation, contacts and joints are further rungs, not built yet. A scene pays flash, memory and
-//! instructions only for what it names.
+//! Contacts and joints are further rungs, not built yet. A scene pays flash, memory and instructions
+//! only for what it names: one of points alone holds nothing of rung two.
 //!
 //! It starts from Chris Hecker's "Physics, The Next Frontier" (Game Developer, 1996), whose
 //! equations its methods and forces name.

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 
 use fixstep::fixed::types::I16F16;
 use fixstep::{Body, Carried, Error, Force, Method, Point, TimeStep};
-use scenes::{Meter, Name, Start, chart, every_exact, every_verb, force, gravity, long};
+use scenes::{Meter, Name, Start, chart, every_exact, every_verb, force, gravity, long, rigid};
 
 const RESULTS: &str = include_str!("firmware/results.tsv");
 /// Names a table to look at instead, which may have some of the targets.
@@ -111,6 +111,7 @@ fn host() -> Result<Bits, Error> {
     gravity::show(&mut bits)?;
     force::show(&mut bits)?;
     long::show(&mut bits)?;
+    rigid::show(&mut bits)?;
     bits.whole("every verb", every_verb::hash());
     bits.whole("every exact verb", every_exact::hash());
     chart::show::<chart::Springs>(&mut bits)?;

@@ -23,7 +23,7 @@ use crate::time::Now;
 use crate::vec2::Vec2;
 
 /// Draws two bodies to `rest` from each other by frequency and damping, exact in position and
-/// velocity at any step. Does nothing once a body is gone, or where another flow has one.
+/// velocity at any step. Does nothing once a body is gone, where another flow has one, or where one is driven.
 ///
 /// A force on one of the two alone is kicked in between; gravity, the same for both, disturbs nothing.
 ///
@@ -105,8 +105,7 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         let (Some((i, a)), Some((j, b))) = (first, second) else {
             return;
         };
-        let driven = [a.is_driven(), b.is_driven()];
-        if driven == [true; 2] {
+        if a.is_driven() || b.is_driven() {
             return;
         }
         let Ok(marks) = moved.get_disjoint_mut([i, j]) else {
@@ -129,16 +128,8 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         let product = <B::S as Scalar>::product;
         let [w1, w2] = [&a, &b].map(|body| body.inv_mass());
         let [m1, m2] = [w1, w2].map(<B::S as Scalar>::mass);
-        let one = Ratio::whole(1);
-        let [s1, s2, reduced] = match (driven, Factor::new(one)) {
-            ([true, false], Some(one)) => [one, B::S::ZERO.coef(), m2],
-            ([false, true], Some(one)) => [B::S::ZERO.coef(), one, m1],
-            _ => {
-                let s1 = B::S::share(product(m1, w2.into()));
-                let s2 = B::S::share(product(m2, w1.into()));
-                [s1, s2, product(m1, s2)]
-            }
-        };
+        let s1 = B::S::share(product(m1, w2.into()));
+        let s2 = B::S::share(product(m2, w1.into()));
         let d = b.position() - a.position() - self.rest;
         let w = b.velocity() - a.velocity();
         for (body, [d, w], share) in [(&mut *first, [-d, w], s2), (&mut *second, [d, -w], s1)] {
@@ -150,6 +141,7 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
             body.move_by(d, product(share, p11));
             body.move_by(-w, product(share, p12));
         }
+        let reduced = product(m1, s2);
         let impulse = d.scaled(product(reduced, p21)) + w.scaled(product(reduced, p22));
         first.push(-impulse);
         second.push(impulse);

@@ -74,15 +74,6 @@ fn cubed<S: Scalar>(k: S::Coef, factor: S::Coef) -> S::Coef {
     (0..3).fold(k, |product, _| S::product(product, factor))
 }
 
-/// The mass by which it pulls: none of a body that no force moves.
-#[inline]
-fn mass<B: Body>(body: &B) -> <B::S as Scalar>::Coef {
-    if body.is_driven() {
-        return B::S::ZERO.coef();
-    }
-    B::S::mass(body.inv_mass())
-}
-
 impl<B: Body> PairForce<B> for Pull<B::S> {
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
@@ -95,7 +86,10 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let along = seen[1].position() - seen[0].position();
         let inverse = B::S::inverse_length(along.array(), self.softening);
         let per_mass = cubed::<B::S>(self.impulse, inverse);
-        let [m1, m2] = seen.map(mass);
+        let [m1, m2] = seen.map(|body| match body.is_driven() {
+            true => B::S::ZERO.coef(),
+            false => B::S::mass(body.inv_mass()),
+        });
         let [first, second] = live;
         first.kick_by(along, B::S::product(per_mass, m2));
         second.brake_by(along, B::S::product(per_mass, m1));

@@ -65,20 +65,21 @@ impl<S: Scalar> Spring<S> {
         })
     }
 
-    /// The impulse on the first end over one step, from where the second is and how it moves as seen from
-    /// the first.
+    /// The impulse on the first end over one step: from where the second is as seen from it, and how it
+    /// moves.
     #[inline]
     pub(crate) fn impulse<H: TimeStep<S>>(
         &mut self,
         step: &H,
-        along: Vec2<S>,
-        apart: Vec2<S>,
+        along: impl FnOnce() -> Vec2<S>,
+        apart: impl FnOnce() -> Vec2<S>,
     ) -> Vec2<S> {
         let (stiffness, damping) = self.per_step.get(step, |h| {
             (S::product(self.stiffness, h), S::product(self.damping, h))
         });
+        let along = along();
         let length = along.length();
-        let closing = length.under(apart.dot(along));
+        let closing = length.under(apart().dot(along));
         let pull = stiffness.of(length.minus(self.rest_length));
         along.with_length(pull.plus(damping.of(closing)), length)
     }
@@ -98,9 +99,12 @@ impl<S: Scalar> Spring<S> {
 impl<B: Body> PairForce<B> for Spring<B::S> {
     #[inline]
     fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]) {
-        let along = seen[1].position() - seen[0].position();
-        let apart = seen[1].velocity() - seen[0].velocity();
-        let impulse = self.impulse(&now.step, along, apart);
+        let [a, b] = seen;
+        let impulse = self.impulse(
+            &now.step,
+            || b.position() - a.position(),
+            || b.velocity() - a.velocity(),
+        );
         let [first, second] = live;
         first.push(impulse);
         second.push(-impulse);

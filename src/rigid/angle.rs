@@ -1,5 +1,6 @@
 //! Angles, and what turns a vector by one.
 
+use crate::between::Between;
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, Turns};
@@ -61,6 +62,14 @@ impl<S: Angular> Angle<S> {
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.0.to_f64()
+    }
+
+    /// Where to draw between this angle and the one a step later: by the shorter way, so that it holds for
+    /// bodies that turn less than half a turn a step.
+    #[inline]
+    #[must_use]
+    pub fn between(self, after: Angle<S>, part: &Between<S>) -> Angle<S> {
+        self + Angle(S::part_of((after - self).0, part.part()))
     }
 
     /// Its cosine and sine, made once for all vectors that turn by it.

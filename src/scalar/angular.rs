@@ -34,6 +34,10 @@ pub trait Angular: Scalar {
     #[must_use]
     fn advanced_dyadic(angle: Self::Turns, spin: Self, num: u32, shift: u32) -> Self::Turns;
 
+    /// `part` from 0 to 1 of an angle, which is taken from -1/2 to 1/2 turns.
+    #[must_use]
+    fn part_of(angle: Self::Turns, part: Self::Coef) -> Self::Turns;
+
     /// Cosine and sine. Odd and even to the bit, as are their reflections at an eighth of a turn; off by
     /// at most 1.5 units of `2^-30` in 32 bits.
     #[must_use]

@@ -79,6 +79,11 @@ macro_rules! fixed_angular {
             }
 
             #[inline]
+            fn part_of(angle: $turns, part: Coef<$raw>) -> $turns {
+                part.of(angle as $raw) as $turns
+            }
+
+            #[inline]
             fn circle(angle: $turns) -> [$raw; 2] {
                 $circle(angle)
             }

@@ -40,7 +40,7 @@ count!(count_f64, f64, 53, i64, i64, u64);
 count!(count_fine_f64, f64, 53, i64, i128, u128);
 
 macro_rules! float_angular {
-    ($float:ident, $turns:ident, $count:path, $circle:path, $one:expr) => {
+    ($float:ident, $turns:ident, $signed:ident, $count:path, $circle:path, $one:expr) => {
         impl Angular for $float {
             type Turns = $turns;
             type Unit = $float;
@@ -57,6 +57,11 @@ macro_rules! float_angular {
             #[inline(always)]
             fn advanced_dyadic(angle: $turns, spin: $float, num: u32, shift: u32) -> $turns {
                 angle.wrapping_add($count(spin.dyadic(num, shift)))
+            }
+
+            #[inline]
+            fn part_of(angle: $turns, part: $float) -> $turns {
+                (angle as $signed as $float * part) as $signed as $turns
             }
 
             #[inline]
@@ -88,8 +93,8 @@ macro_rules! float_angular {
     };
 }
 
-float_angular!(f32, u32, count_f32, circle_u32, 1_u32 << 30);
-float_angular!(f64, u64, count_f64, circle_u64, 1_u64 << 62);
+float_angular!(f32, u32, i32, count_f32, circle_u32, 1_u32 << 30);
+float_angular!(f64, u64, i64, count_f64, circle_u64, 1_u64 << 62);
 
 /// The remainder of a spin is what it has too much.
 macro_rules! float_carry_angular {

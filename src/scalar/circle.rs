@@ -1,44 +1,46 @@
 //! Sine and cosine of an angle in turns, in integers.
 //!
 //! ```text
-//! a = q/4 + y/8              q the nearest quarter turn, |y| <= 1;  z = y²
+//! a = q/4 + y/8              q the nearest quarter turn, -1 <= y <= 1;  z = y²
 //! sin(π y/4) = y (s0 - z (s1 - z (s2 - z (s3 - z s4))))
 //! cos(π y/4) = 1 - z (c1 - z (c2 - z (c3 - z c4)))
 //! ```
 //!
-//! A quarter turn is a whole power of two, so what is left of it is a shift of the angle and exact. The
-//! coefficients are those of the polynomials in z that agree with `sin(π y/4) / y` at the five zeros of the
-//! Chebyshev polynomial on 0..1, and with `(1 - cos(π y/4)) / z` at the four: off by at most 0.004 and 0.21
-//! units of 2^-30. The rest of the error is rounding, which moved some coefficients by a few units of theirs.
+//! A quarter turn is a power of two, so what is left of it is a shift of the angle, and exact. The coefficients
+//! are those of the polynomials in z that agree with `sin(π y/4) / y` at the five zeros of the Chebyshev
+//! polynomial on 0..1, and with `(1 - cos(π y/4)) / z` at the four: off by at most 0.004 and 0.21 units of 2^-30.
+//! Then each was moved by a few of its own units, where that made the largest error of the integers less.
 //!
-//! All symmetries are exact. `z` is the same for `y` and `-y`; the sum that y is multiplied by is odd, so that this
-//! product is no tie but at 1/8 of a turn, and rounding half up is symmetric. There sine and cosine come out equal.
+//! All symmetries are exact. `z` is the same for y and -y. What y is multiplied by is odd, so that this product is a
+//! tie nowhere, and rounding half up is symmetric. At an eighth of a turn both polynomials give the same.
 
 use core::ops::Neg;
 
-use super::high_product::{high_product_i32, product_i32};
+use super::high_product::high_product_i32;
 
-/// `[cos, sin]` of `angle / 2^32` turns, in units of 2^-30; each off by at most 1.3 units.
+/// `[cos, sin]` of `angle / 2^32` turns, in units of 2^-30; each off by at most one.
 #[inline]
 pub(super) fn circle_u32(angle: u32) -> [i32; 2] {
-    // In units of 2^-31; 1 only where it is -1. Its square has 30 bits.
+    // In units of 2^-31, from -1 to just below 1; its square in units of 2^-30.
     let y = (angle << 2) as i32;
     let z = high_product_i32(y, y);
-    // What the last terms need of it: products of 32 bits.
+    // The last terms need no more of it: a product of 32 bits.
     let coarse = z >> 16;
 
-    let sum = 2_512_946 - (coarse * 21_212 >> 14);
-    let sum = 42_784_558 - high_product_i32(z, sum);
-    let sum = 346_799_333 - high_product_i32(z, sum);
-    let sum = 1_686_629_713 - 2 * high_product_i32(z, sum);
-    let sin = rounded_product_i32(y, sum);
+    // A sum is in units four times finer than what z times it is taken from, but for shifts. The
+    // last ones would not fit and are kept less 1: y s = y + y (s - 1), in units of 2^-31, and halved.
+    let sum = 1_286_768_466 - (coarse * 42_451 >> 6);
+    let sum = 171_138_506 - (high_product_i32(z, sum) >> 7);
+    let sum = 1_387_197_332 - high_product_i32(z, sum);
+    let sum = -921_707_871 - high_product_i32(z, sum) | 1;
+    let sin = y + high_product_i32(y, sum) + 1 >> 1;
 
-    let sum = 22_399_895 - (coarse * 60_850 >> 12);
-    let sum = 272_375_460 - high_product_i32(z, sum);
-    let sum = 1_324_675_879 - high_product_i32(z, sum);
-    let cos = (1 << 30) - rounded_product_i32(z, sum);
+    let sum = 1_433_591_396 - (coarse * 60_846 >> 6);
+    let sum = 544_750_907 - (high_product_i32(z, sum) >> 5);
+    let sum = -1_645_615_539 - high_product_i32(z, sum);
+    let cos = (1 << 31) - (z + high_product_i32(z, sum)) as u32 >> 1;
 
-    turned([cos, sin], angle.wrapping_add(1 << 29) >> 30)
+    turned([cos as i32, sin], angle.wrapping_add(1 << 29) >> 30)
 }
 
 /// `[cos, sin]` of `angle / 2^64` turns, in units of 2^-62; each off by at most one. The same cut and the
@@ -51,20 +53,16 @@ pub(super) fn circle_u64(angle: u64) -> [i64; 2] {
     let x = rest.unsigned_abs() as u128 * EIGHTH >> 63;
     let z = x * x >> 64;
     let (mut cos, mut sin) = (ONE, ONE);
+    // A divisor that the compiler, too, sees is not zero.
+    let over = |product: u128, divisor: u64| ((product >> 64) as u64 / divisor.max(1)) as u128;
     // Up to x^21 / 21! < 2^-72.
     for n in (2..=20).rev().step_by(2) {
-        cos = ONE - ((z * cos >> 64) as u64 / (n * (n - 1))) as u128;
-        sin = ONE - ((z * sin >> 64) as u64 / (n * (n + 1))) as u128;
+        cos = ONE - over(z * cos, n * (n - 1));
+        sin = ONE - over(z * sin, n * (n + 1));
     }
     let [cos, sin] = [cos, x * sin >> 64].map(|value| (value + 2 >> 2) as i64);
     let sin = if rest < 0 { -sin } else { sin };
     turned([cos, sin], (angle.wrapping_add(1 << 61) >> 62) as u32)
-}
-
-/// The high word of a product, rounded half up.
-#[inline(always)]
-fn rounded_product_i32(a: i32, b: i32) -> i32 {
-    (product_i32(a, b) + (1 << 31) >> 32) as i32
 }
 
 /// A direction turned by so many quarters.
@@ -102,10 +100,10 @@ mod tests {
         })
     }
 
-    // Of the sine: half a unit for the last rounding, half for the sum before it, which is odd in units of 2^-31,
-    // 0.1 for those before that. Of the cosine: half a unit, 0.2 for the polynomial, 0.3 for z, which is
-    // rounded down. A point is off the circle by at most 2 (cos, sin) · e < 2 sqrt(2) 1.3.
-    // The reference adds a part in 2^50.
+    // Of the sine: half a unit for the last rounding, a quarter for the sum before it, which is odd in units of
+    // 2^-32, 0.1 for those before that. Of the cosine: half a unit, 0.2 for the polynomial, 0.3 for z, which is
+    // rounded down. A point is off the circle by at most 2 (cos, sin) · e <= 2 sqrt(2) units. The
+    // reference is off by a part in 2^50.
     #[test]
     fn is_near_the_circle() {
         const ONE: f64 = (1 << 30) as f64;
@@ -114,11 +112,11 @@ mod tests {
             let x = angle as i32 as f64 * (TAU / 4_294_967_296.0);
             let errors = [cos - ONE * libm::cos(x), sin - ONE * libm::sin(x)];
             assert!(
-                errors.iter().all(|e| e.abs() <= 1.3),
+                errors.iter().all(|e| e.abs() <= 1.0),
                 "{angle:#x} {errors:?}"
             );
             let off = (cos * cos + sin * sin) / ONE - ONE;
-            assert!(off.abs() <= 3.7, "{angle:#x} {off}");
+            assert!(off.abs() <= 2.83, "{angle:#x} {off}");
         }
     }
 

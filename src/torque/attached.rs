@@ -45,9 +45,11 @@ impl<B: Rotating> PairForce<B> for Attached<B::S> {
     fn act<H: TimeStep<B::S>>(&mut self, now: &Now<H>, seen: [&B; 2], live: [&mut B; 2]) {
         let [a, b] = seen;
         let arms = [a.rotation().turn(self.at[0]), b.rotation().turn(self.at[1])];
-        let along = (b.position() - a.position()) + (arms[1] - arms[0]);
-        let apart = b.velocity_off(arms[1]) - a.velocity_off(arms[0]);
-        let impulse = self.spring.impulse(&now.step, along, apart);
+        let impulse = self.spring.impulse(
+            &now.step,
+            || (b.position() - a.position()) + (arms[1] - arms[0]),
+            || b.velocity_off(arms[1]) - a.velocity_off(arms[0]),
+        );
         let [first, second] = live;
         first.push_off(arms[0], impulse);
         second.push_off(arms[1], -impulse);

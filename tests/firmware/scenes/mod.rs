@@ -7,6 +7,7 @@ pub mod every_verb;
 pub mod force;
 pub mod gravity;
 pub mod long;
+pub mod rigid;
 
 use fixstep::{Body, Error, Force, Method, TimeStep, World};
 
