@@ -146,6 +146,12 @@ pub trait Body: Copy + 'static {
         let _ = factor;
     }
 
+    /// It turns by `factor` times `spin`, which is not its own: what [`move_by`](Body::move_by) is to places.
+    #[inline]
+    fn turn_by(&mut self, spin: Self::Spin, factor: <Self::S as Scalar>::Coef) {
+        let _ = (spin, factor);
+    }
+
     /// Whether no force moves it: what it does is given.
     #[inline]
     #[must_use]

@@ -56,14 +56,14 @@ pub trait TimeStep<S: Scalar>: Copy {
     }
 
     /// `what` after `h`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     fn revolve<T: Revolve<S>>(&self, what: T) -> T {
         what.revolved(self.coef(), 0)
     }
 
     /// `what` after `h/2`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     fn revolve_half<T: Revolve<S>>(&self, what: T) -> T {
         what.revolved(self.coef(), 1)

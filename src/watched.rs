@@ -175,6 +175,11 @@ impl<B: Body> Body for Watched<B> {
     }
 
     #[inline]
+    fn turn_by(&mut self, spin: B::Spin, factor: <B::S as Scalar>::Coef) {
+        self.body.turn_by(spin, factor);
+    }
+
+    #[inline]
     fn is_driven(&self) -> bool {
         self.body.is_driven()
     }

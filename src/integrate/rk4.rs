@@ -143,15 +143,6 @@ fn state<B: Body>(start: &B, dx: Vec2<B::S>, (dv, spin): Change<B>) -> B {
     body
 }
 
-/// `coast` with another spin.
-#[inline(always)]
-fn turn<B: Body>(body: &mut B, spin: B::Spin, coast: impl FnOnce(&mut B)) {
-    let change = spin.sum(body.spin().reversed());
-    body.twist(change);
-    coast(body);
-    body.twist(change.reversed());
-}
-
 /// What a body that was at rest has gained.
 #[inline(always)]
 fn change<B: Body>(live: &B) -> Change<B> {
@@ -192,7 +183,7 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
             *k1 = change(live);
             take(live, *k1);
             *seen = state(start, start.velocity().map(|v| h.half_of(v)), half(*k1));
-            turn(seen, start.spin(), |seen| seen.coast_half(&h));
+            seen.turn_by(start.spin().half(), h.coef());
         });
 
         let now = Now::middle(step, tick);
@@ -202,7 +193,7 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
             let spin = seen.spin();
             let dx = seen.velocity().map(|v| h.half_of(v));
             *seen = state(start, dx, half(change(live)));
-            turn(seen, spin, |seen| seen.coast_half(&h));
+            seen.turn_by(spin.half(), h.coef());
         });
 
         // Now `live` holds k2 + k3, of which k2/2 = v3 - v gives k3 to a unit: enough for v4.
@@ -217,11 +208,11 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
                 both.1.sum(rise_of_spin).sum(rise_of_spin),
             );
             *seen = state(body, v3.map(|v| h.of(v)), k3);
-            turn(seen, spin, |seen| seen.coast(&h));
+            seen.turn_by(spin, h.coef());
             take(live, both);
             body.drift(&h);
             body.move_by(k1.0 + both.0, h_sixth);
-            turn(body, k1.1.sum(both.1), |body| body.coast_by(h_sixth));
+            body.turn_by(k1.1.sum(both.1), h_sixth);
             body.kick_by(both.0, third);
             body.twist(both.1.part(third));
         });

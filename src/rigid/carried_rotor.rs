@@ -48,7 +48,7 @@ impl<S: CarryAngular> CarriedRotor<S> {
 }
 
 impl<S: CarryAngular> Revolve<S> for CarriedRotor<S> {
-    #[inline]
+    #[inline(always)]
     fn revolved(self, h: S::Coef, halvings: u32) -> Self {
         let angle = S::fine_turned(self.angle, self.kept(), h, halvings);
         CarriedRotor { angle, ..self }
@@ -91,6 +91,11 @@ impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
     #[inline]
     fn set_spin(&mut self, spin: S) {
         self.set_kept((spin, S::NO_REST));
+    }
+
+    #[inline]
+    fn turn_by(&mut self, spin: S, factor: S::Coef) {
+        self.angle = S::fine_turned(self.angle, (spin, S::NO_REST), factor, 0);
     }
 
     #[inline]

@@ -243,3 +243,11 @@ impl<C: Centre> Rigid<C> {
         Rigid { centre, rotor }
     }
 }
+
+/// A body that nothing turns: [`Rigid::locked`].
+impl<S: Angular> From<Point<S>> for Rigid<Point<S>> {
+    #[inline]
+    fn from(point: Point<S>) -> Self {
+        Rigid::locked(point)
+    }
+}

@@ -38,6 +38,9 @@ pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
     /// It turns with `spin`, with nothing left over.
     fn set_spin(&mut self, spin: S);
 
+    /// `θ += factor * spin`, of a spin that is not its own.
+    fn turn_by(&mut self, spin: S, factor: S::Coef);
+
     /// `s += change`.
     fn twist(&mut self, change: S);
 
@@ -74,7 +77,7 @@ pub struct PlainRotor<S: Angular> {
 }
 
 impl<S: Angular> Revolve<S> for PlainRotor<S> {
-    #[inline]
+    #[inline(always)]
     fn revolved(self, h: S::Coef, halvings: u32) -> Self {
         let angle = S::advanced(self.angle, self.spin, h, halvings);
         PlainRotor { angle, ..self }
@@ -120,6 +123,11 @@ impl<S: Angular> Rotor<S> for PlainRotor<S> {
     #[inline]
     fn set_spin(&mut self, spin: S) {
         self.spin = spin;
+    }
+
+    #[inline]
+    fn turn_by(&mut self, spin: S, factor: S::Coef) {
+        self.angle = S::advanced(self.angle, spin, factor, 0);
     }
 
     #[inline]

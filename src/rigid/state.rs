@@ -97,13 +97,13 @@ impl<C: Centre> Body for Rigid<C> {
         self.centre.move_by(value, factor);
     }
 
-    #[inline]
+    #[inline(always)]
     fn drift(&mut self, step: &impl TimeStep<C::S>) {
         self.centre.drift(step);
         self.coast(step);
     }
 
-    #[inline]
+    #[inline(always)]
     fn drift_half(&mut self, step: &impl TimeStep<C::S>) {
         self.centre.drift_half(step);
         self.coast_half(step);
@@ -134,12 +134,12 @@ impl<C: Centre> Body for Rigid<C> {
         self.rotor.twist(change);
     }
 
-    #[inline]
+    #[inline(always)]
     fn coast(&mut self, step: &impl TimeStep<C::S>) {
         self.rotor = step.revolve(self.rotor);
     }
 
-    #[inline]
+    #[inline(always)]
     fn coast_half(&mut self, step: &impl TimeStep<C::S>) {
         self.rotor = step.revolve_half(self.rotor);
     }
@@ -147,6 +147,11 @@ impl<C: Centre> Body for Rigid<C> {
     #[inline]
     fn coast_by(&mut self, factor: Coef<C>) {
         self.rotor = self.rotor.revolved(factor, 0);
+    }
+
+    #[inline]
+    fn turn_by(&mut self, spin: C::S, factor: Coef<C>) {
+        self.rotor.turn_by(spin, factor);
     }
 
     #[inline]

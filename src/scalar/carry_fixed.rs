@@ -22,7 +22,7 @@ fn advanced(place: i64, change: i64) -> i64 {
 /// `mantissa / 2^shift` in units of `2^-32`, for shifts from 33 to 62: a whole number, and a fraction
 /// that is made odd.
 #[inline(always)]
-pub(super) fn parted(mantissa: i32, shift: u32) -> (i32, i32) {
+fn parted(mantissa: i32, shift: u32) -> (i32, i32) {
     let fraction = mantissa << ((64 - shift) & 31) | 1;
     (
         (mantissa >> ((shift - 32) & 31)) + (fraction < 0) as i32,

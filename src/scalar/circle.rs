@@ -29,16 +29,16 @@ pub(super) fn circle_u32(angle: u32) -> [i32; 2] {
 
     // A sum is in units four times finer than what z times it is taken from, but for shifts. The
     // last ones would not fit and are kept less 1: y s = y + y (s - 1), in units of 2^-31, and halved.
-    let sum = 1_286_768_466 - (coarse * 42_451 >> 6);
+    let sum = 1_286_768_466 - ((coarse * 42_451) >> 6);
     let sum = 171_138_506 - (high_product_i32(z, sum) >> 7);
     let sum = 1_387_197_332 - high_product_i32(z, sum);
-    let sum = -921_707_871 - high_product_i32(z, sum) | 1;
-    let sin = y + high_product_i32(y, sum) + 1 >> 1;
+    let sum = (-921_707_871 - high_product_i32(z, sum)) | 1;
+    let sin = (y + high_product_i32(y, sum) + 1) >> 1;
 
-    let sum = 1_433_591_396 - (coarse * 60_846 >> 6);
+    let sum = 1_433_591_396 - ((coarse * 60_846) >> 6);
     let sum = 544_750_907 - (high_product_i32(z, sum) >> 5);
     let sum = -1_645_615_539 - high_product_i32(z, sum);
-    let cos = (1 << 31) - (z + high_product_i32(z, sum)) as u32 >> 1;
+    let cos = ((1 << 31) - (z + high_product_i32(z, sum)) as u32) >> 1;
 
     turned([cos as i32, sin], angle.wrapping_add(1 << 29) >> 30)
 }
@@ -50,8 +50,8 @@ pub(super) fn circle_u64(angle: u64) -> [i64; 2] {
     const EIGHTH: u128 = 0xC90F_DAA2_2168_C235;
     const ONE: u128 = 1 << 64;
     let rest = (angle << 2) as i64;
-    let x = rest.unsigned_abs() as u128 * EIGHTH >> 63;
-    let z = x * x >> 64;
+    let x = (rest.unsigned_abs() as u128 * EIGHTH) >> 63;
+    let z = (x * x) >> 64;
     let (mut cos, mut sin) = (ONE, ONE);
     // A divisor that the compiler, too, sees is not zero.
     let over = |product: u128, divisor: u64| ((product >> 64) as u64 / divisor.max(1)) as u128;
@@ -60,7 +60,7 @@ pub(super) fn circle_u64(angle: u64) -> [i64; 2] {
         cos = ONE - over(z * cos, n * (n - 1));
         sin = ONE - over(z * sin, n * (n + 1));
     }
-    let [cos, sin] = [cos, x * sin >> 64].map(|value| (value + 2 >> 2) as i64);
+    let [cos, sin] = [cos, (x * sin) >> 64].map(|value| ((value + 2) >> 2) as i64);
     let sin = if rest < 0 { -sin } else { sin };
     turned([cos, sin], (angle.wrapping_add(1 << 61) >> 62) as u32)
 }
@@ -158,13 +158,13 @@ mod tests {
 
     /// `[cos, sin]` in units of 2^-112, by the series from 0 to half a turn, to x^40 / 40! < 2^-93.
     fn series(angle: u64) -> [i128; 2] {
+        const MASK: i128 = (1 << 56) - 1;
+        const PI: i128 = 0x3_243F_6A88_85A3_08D3_1319_8A2E_0370;
         // In digits of 56 bits; none of the numbers is above 12.
         let times = |a: i128, b: i128| {
             let (ah, al, bh, bl) = (a >> 56, a & MASK, b >> 56, b & MASK);
-            ah * bh + (ah * bl + al * bh + (al * bl >> 56) >> 56)
+            ah * bh + ((ah * bl + al * bh + ((al * bl) >> 56)) >> 56)
         };
-        const MASK: i128 = (1 << 56) - 1;
-        const PI: i128 = 0x3_243F_6A88_85A3_08D3_1319_8A2E_0370;
         let x = times(PI, (angle as i64 as i128) << 49);
         let (mut sums, mut term) = ([1 << 112, 0], 1 << 112);
         for n in 1..=40_i128 {
@@ -174,7 +174,8 @@ mod tests {
         sums
     }
 
-    // Roundings of units of 2^-64, of which the last steps hand on four at most, and half a unit of 2^-62.
+    // Half a unit for the last rounding; before it two units of 2^-64 at most: of the cosine one for each of the last
+    // division and its product, of the sine one for x and one for the product with it.
     #[test]
     fn long_angles_are_near_the_circle() {
         let near =

@@ -1,6 +1,7 @@
 //! An angle as a count of parts of a turn, which wraps where the turn does.
 
 use core::fmt::Debug;
+use core::num::NonZero;
 
 use crate::ratio::Ratio;
 
@@ -39,12 +40,20 @@ macro_rules! turns {
         impl Turns for $unsigned {
             const ZERO: $unsigned = 0;
 
-            // The rest is below the denominator, of 62 bits at most.
+            // The rest is below the denominator, of 62 bits at most. Odd, as rounding is.
             #[inline(always)]
             fn nearest(turns: Ratio) -> $unsigned {
-                let den = turns.den() as i128;
-                let rest = (turns.num() as i128).rem_euclid(den) as u128;
-                (((rest << $unsigned::BITS) + den as u128 / 2) / den as u128) as $unsigned
+                let Some(den) = NonZero::new(turns.den() as u128) else {
+                    return 0;
+                };
+                let rest = turns.num().unsigned_abs() as u128 % den;
+                let count = ((rest << $unsigned::BITS) + den.get() / 2) / den;
+                let count = count as $unsigned;
+                if turns.num() < 0 {
+                    count.wrapping_neg()
+                } else {
+                    count
+                }
             }
 
             #[inline]

@@ -2,7 +2,7 @@
 from dataclasses import dataclass, field
 
 CHARTS = ["chart_cluster", "chart_kepler", "chart_pair", "chart_projectile", "chart_quadratic", "chart_spring"]
-RUNNING = ["price", "forces", "long", "everything", "exact", *CHARTS]
+RUNNING = ["price", "forces", "long", "rigid", "everything", "exact", *CHARTS]
 # What `with_NAME` has more than the gravity scene, as the table says it.
 MORE = {
     "linear_drag": "LinearDrag",
@@ -18,6 +18,7 @@ MORE = {
     "rk4": "Rk4",
     "pefrl": "Pefrl",
     "carried": "Carried",
+    "rigid": "Rigid",
     "i8f24": "I8F24",
     "f32": "f32",
     "accumulator": "Accumulator",
