@@ -100,6 +100,10 @@ impl Format for Error {
             Error::NotANumber { field } => {
                 write!(f, "{=str} is not a number, or has too many digits", field)
             }
+            Error::Degenerate { shape } => write!(f, "the {=str} has no area", shape),
+            Error::NotConvex { vertex } => {
+                write!(f, "the outline is not convex at vertex {=usize}", vertex)
+            }
         }
     }
 }

@@ -27,6 +27,24 @@
 //! | a point mass of zero or less | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotPositive` | nothing was made |
 //! | a point mass that is NaN or infinite | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotFinite` | nothing was made |
 //! | a total mass that no fraction of 62 bits, or no body, can hold | [`CentreOfMass`](crate::CentreOfMass): `of`, `point` | `OutOfRange` | nothing was made |
+//! | a radius, width or height of zero or less | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `NotPositive` | no shape was made |
+//! | an inner radius or a length below zero | [`ring`](crate::shape::ring()), [`capsule`](crate::shape::capsule()) | `Negative` | no shape was made |
+//! | an inner radius above the outer | [`ring`](crate::shape::ring()) | `OutOfRange` | no shape was made |
+//! | a shape too large for 62 bits of square metres | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `OutOfRange` | no shape was made |
+//! | a shape too small for them | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `RoundsToZero` | no shape was made |
+//! | no vertices | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `Empty` | no shape was made |
+//! | a vertex that is NaN or infinite, or too many square metres for 62 bits | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `NotFinite` | no shape was made |
+//! | a polygon without area: on one line, of two vertices, in two lobes alike | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `Degenerate` | no shape was made |
+//! | a corner that is straight or turns the other way, or a second turn | [`convex_polygon`](crate::shape::convex_polygon()) | `NotConvex` | no shape was made |
+//! | a shape's mass or density of zero or less, or a density where it has no area | [`Shape`](crate::Shape): `of_mass`, `of_density` | `NotPositive` | nothing was made |
+//! | a shape's mass that 62 bits cannot hold | [`Shape`](crate::Shape): `of_mass`, `of_density` | `OutOfRange` | nothing was made |
+//! | a shape's mass of so little inertia that it would be zero | [`Shape`](crate::Shape): `of_mass`, `of_density` | `RoundsToZero` | nothing was made |
+//! | mass properties of no mass or less | [`MassProperties::new`](crate::MassProperties::new) | `NotPositive` | nothing was made |
+//! | a moment of inertia below zero | [`MassProperties::new`](crate::MassProperties::new) | `Negative` | nothing was made |
+//! | a part that is moved out of the range, or a point that is NaN | [`MassProperties`](crate::MassProperties): `new`, `at`, `inertia_about` | `NotFinite` | nothing was made |
+//! | no parts | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points` | `Empty` | nothing was made |
+//! | parts whose sums 62 bits cannot hold | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points`, `without` | `NotFinite` | nothing was made |
+//! | a hole that takes more mass or inertia than there is | [`MassProperties::without`](crate::MassProperties::without) | `OutOfRange` | nothing was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
 //! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |
@@ -110,6 +128,16 @@ pub enum Error {
         /// Name of the argument.
         field: &'static str,
     },
+    /// The shape has no area, or one too small for 62 bits.
+    Degenerate {
+        /// Name of the shape.
+        shape: &'static str,
+    },
+    /// The corner is straight or turns the other way, or the outline turns more than once.
+    NotConvex {
+        /// Which vertex, from 0.
+        vertex: usize,
+    },
 }
 
 impl fmt::Display for Error {
@@ -135,6 +163,10 @@ impl fmt::Display for Error {
             Error::NotFinite { field } => write!(f, "{field} is NaN, infinite or too large"),
             Error::NotANumber { field } => {
                 write!(f, "{field} is not a number, or has too many digits")
+            }
+            Error::Degenerate { shape } => write!(f, "the {shape} has no area"),
+            Error::NotConvex { vertex } => {
+                write!(f, "the outline is not convex at vertex {vertex}")
             }
         }
     }

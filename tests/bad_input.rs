@@ -6,6 +6,8 @@
 mod exact;
 #[path = "bad_input/rewinds.rs"]
 mod rewinds;
+#[path = "bad_input/shapes.rs"]
+mod shapes;
 #[path = "bad_input/snapshots.rs"]
 mod snapshots;
 
@@ -97,6 +99,24 @@ rows! {
     point_of_no_mass, "a point mass of zero or less": point_masses();
     point_not_finite, "a point mass that is NaN or infinite": not_finite_point_masses();
     total_beyond, "a total mass that no fraction of 62 bits, or no body, can hold": totals();
+    shape_of_no_length, "a radius, width or height of zero or less": shapes::of_no_length();
+    shape_below_zero, "an inner radius or a length below zero": shapes::below_zero();
+    ring_inside_out, "an inner radius above the outer": shapes::inside_out();
+    shape_too_large, "a shape too large for 62 bits of square metres": shapes::too_large();
+    shape_too_small, "a shape too small for them": shapes::too_small();
+    no_vertices, "no vertices": shapes::no_vertices();
+    vertices_not_finite, "a vertex that is NaN or infinite, or too many square metres for 62 bits": shapes::vertices_not_finite();
+    polygon_without_area, "a polygon without area: on one line, of two vertices, in two lobes alike": shapes::without_area();
+    polygon_not_convex, "a corner that is straight or turns the other way, or a second turn": shapes::not_convex();
+    shape_of_no_mass, "a shape's mass or density of zero or less, or a density where it has no area": shapes::of_no_mass();
+    shape_too_heavy, "a shape's mass that 62 bits cannot hold": shapes::too_heavy();
+    shape_too_light, "a shape's mass of so little inertia that it would be zero": shapes::too_light();
+    known_of_no_mass, "mass properties of no mass or less": shapes::known_of_no_mass();
+    inertia_below_zero, "a moment of inertia below zero": shapes::inertia_below_zero();
+    part_out_of_range, "a part that is moved out of the range, or a point that is NaN": shapes::places();
+    no_parts, "no parts": shapes::no_parts();
+    sums_of_parts_beyond, "parts whose sums 62 bits cannot hold": shapes::sums_beyond();
+    hole_too_large, "a hole that takes more mass or inertia than there is": shapes::holes();
     clock_that_stands, "a clock that stands still, or no steps a frame": vec![
         refused(Accumulator::new(0, dec!(0.02), 4)),
         refused(Accumulator::new(1000, dec!(0), 4)),

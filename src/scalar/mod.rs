@@ -40,6 +40,7 @@ mod fixed_point;
 mod float;
 mod high_product;
 mod integer;
+mod rational;
 mod raw;
 mod stored;
 mod turns;
@@ -54,6 +55,7 @@ pub use angular::{Angular, CarryAngular};
 pub use carry::Carry;
 pub use decay::Decay;
 pub use factor::{Coef, Gain, InvMass, Span};
+pub use rational::Rational;
 pub use stored::Stored;
 pub use turns::Turns;
 

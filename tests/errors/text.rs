@@ -113,6 +113,8 @@ fn messages_differ() {
             .to_string(),
         Stale(some_id()).to_string(),
         Error::Empty { field }.to_string(),
+        Error::Degenerate { shape: field }.to_string(),
+        Error::NotConvex { vertex: 3 }.to_string(),
     ];
     for (i, text) in texts.iter().enumerate() {
         assert!(!texts[..i].contains(text), "{text}");

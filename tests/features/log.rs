@@ -102,6 +102,8 @@ fn errors_show_the_value_they_refuse() {
     logs(&Error::NotFinite { field }, &[b"mass"]);
     logs(&Error::NotANumber { field }, &[b"mass"]);
     logs(&Error::Empty { field }, &[b"mass"]);
+    logs(&Error::Degenerate { shape: "polygon" }, &[b"polygon"]);
+    logs(&Error::NotConvex { vertex: 7 }, &[&7_u32.to_le_bytes()]);
     let (mut world, _) = world();
     let full = world.add(point(1)).unwrap_err();
     logs(&full, &[&2_u32.to_le_bytes()]);

@@ -23,7 +23,7 @@ const READ_OUTS: [&str; 12] = [
 ];
 
 /// Where `f64` is the scalar itself.
-const INSTANCES: [(&str, &str); 8] = [
+const INSTANCES: [(&str, &str); 9] = [
     ("scalar/angular_float.rs", "count!(count_f64, f64, "),
     ("scalar/angular_float.rs", "count!(count_fine_f64, f64, "),
     ("scalar/angular_float.rs", "float_angular!(f64, "),
@@ -31,6 +31,7 @@ const INSTANCES: [(&str, &str); 8] = [
     ("scalar/carry_float.rs", "float_carry!(f64, "),
     ("scalar/decay.rs", "float_decay!(f64, "),
     ("scalar/float.rs", "float_scalar!(f64, "),
+    ("scalar/rational.rs", "float_rational!(f64, "),
     ("scalar/stored.rs", "float!(f64, "),
 ];
 
