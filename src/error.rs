@@ -45,6 +45,12 @@
 //! | no parts | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points` | `Empty` | nothing was made |
 //! | parts whose sums 62 bits cannot hold | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points`, `without` | `NotFinite` | nothing was made |
 //! | a hole that takes more mass or inertia than there is | [`MassProperties::without`](crate::MassProperties::without) | `OutOfRange` | nothing was made |
+//! | an inertia of zero or less | [`Rigid::new`](crate::Rigid::new) | `NotPositive` | no body was made |
+//! | an inertia whose inverse the scalar cannot hold | [`Rigid::new`](crate::Rigid::new) | `OutOfRange` | no body was made |
+//! | a spin outside of the scalar | [`Rigid::with_spin`](crate::Rigid::with_spin) | `OutOfRange` | no body was made |
+//! | NaN or infinity as state of a body that turns | [`Rigid`](crate::Rigid): `kinematic`, `fixed`, `teleport`, `set_velocity`, `set_spin` | `NotFinite` | the state it had |
+//! | degrees that 62 bits cannot hold as turns | [`Angle::degrees`](crate::Angle::degrees) | `OutOfRange` | no angle was made |
+//! | a drag against spin below zero | [`SpinDrag::new`](crate::torque::SpinDrag::new) | `Negative` | no force was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
 //! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |

@@ -10,6 +10,8 @@ mod rewinds;
 mod shapes;
 #[path = "bad_input/snapshots.rs"]
 mod snapshots;
+#[path = "bad_input/turning.rs"]
+mod turning;
 
 use std::fmt::Debug;
 
@@ -117,6 +119,12 @@ rows! {
     no_parts, "no parts": shapes::no_parts();
     sums_of_parts_beyond, "parts whose sums 62 bits cannot hold": shapes::sums_beyond();
     hole_too_large, "a hole that takes more mass or inertia than there is": shapes::holes();
+    inertia_of_nothing, "an inertia of zero or less": turning::inertia_of_nothing();
+    inertia_beyond, "an inertia whose inverse the scalar cannot hold": turning::inertia_beyond();
+    spin_beyond, "a spin outside of the scalar": turning::spin_beyond();
+    nan_turning, "NaN or infinity as state of a body that turns": turning::nan_state();
+    degrees_beyond, "degrees that 62 bits cannot hold as turns": turning::degrees_beyond();
+    spin_drag_below_zero, "a drag against spin below zero": turning::drag_below_zero();
     clock_that_stands, "a clock that stands still, or no steps a frame": vec![
         refused(Accumulator::new(0, dec!(0.02), 4)),
         refused(Accumulator::new(1000, dec!(0), 4)),

@@ -23,6 +23,7 @@ use crate::error::Error;
 use crate::point::Point;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, CarryAngular, Factor, Scalar};
+use crate::shape::MassProperties;
 use crate::vec2::Vec2;
 
 pub use angle::{Angle, Rotation};
@@ -117,16 +118,35 @@ const TAU: (i64, u64) = (3_622_009_729_038_561_421, 1 << 59);
 impl<C: Centre> Rigid<C> {
     /// A body with `inertia`, its moment of inertia about `centre`, kg m²; at angle zero and without spin.
     ///
-    /// Refuses an inertia that is not positive, or so small that its inverse cannot be held (32-bit fixed
-    /// point: below 1.5e-10 kg m²).
+    /// Refuses an inertia that is not positive, or whose inverse cannot be held (32-bit fixed point: below
+    /// 1.5e-10 kg m²).
     #[inline]
     pub fn new(centre: C, inertia: impl Into<Ratio>) -> Result<Rigid<C>, Error> {
         let (field, value) = ("inertia", inertia.into());
         let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
         let error = Error::OutOfRange { field, value };
         let tau = Ratio::new(TAU.0, TAU.1).map_err(|_| error)?;
-        let inv_inertia = inverse.over(tau).and_then(Factor::new).ok_or(error)?;
+        let per_turn = inverse.over(tau).filter(|ratio| ratio.num() != 0);
+        let inv_inertia = per_turn.and_then(Factor::new).ok_or(error)?;
         Ok(Self::with_inv_inertia(centre, inv_inertia))
+    }
+
+    /// The body that has these mass properties, with its centre where theirs is: a
+    /// [`shape`](crate::shape), or what is made of several. Refuses what [`Point::new`] and [`Rigid::new`] refuse.
+    ///
+    /// ```
+    /// use fixstep::{dec, shape, vec2, Point, Rigid};
+    /// let plate = shape::rectangle::<f32>(1, dec!(0.5))?.of_density(10)?;
+    /// let body = Rigid::<Point<_>>::of(&plate.at(vec2(3, 4)?)?, vec2(0, 0)?)?;
+    /// assert_eq!(body.position(), vec2(3, 4)?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    pub fn of(properties: &MassProperties<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error>
+    where
+        C: From<Point<C::S>>,
+    {
+        let centre = Point::new(properties.centre(), velocity, properties.mass())?;
+        Rigid::new(centre.into(), properties.inertia())
     }
 
     /// A body that forces move but nothing turns.
