@@ -10,7 +10,9 @@ use std::sync::OnceLock;
 
 use fixstep::fixed::types::I16F16;
 use fixstep::{Body, Carried, Error, Force, Method, Point, TimeStep};
-use scenes::{Meter, Name, Start, chart, every_exact, every_verb, force, gravity, long, rigid};
+use scenes::{
+    Meter, Name, Start, chart, every_exact, every_turning, every_verb, force, gravity, long, rigid,
+};
 
 const RESULTS: &str = include_str!("firmware/results.tsv");
 /// Names a table to look at instead, which may have some of the targets.
@@ -114,6 +116,7 @@ fn host() -> Result<Bits, Error> {
     rigid::show(&mut bits)?;
     bits.whole("every verb", every_verb::hash());
     bits.whole("every exact verb", every_exact::hash());
+    bits.whole("every turning verb", every_turning::hash());
     chart::show::<chart::Springs>(&mut bits)?;
     chart::show::<chart::Projectile>(&mut bits)?;
     chart::show::<chart::QuadraticProjectile>(&mut bits)?;
@@ -205,10 +208,50 @@ fn the_readme_says_what_a_step_costs() {
     }
 }
 
+/// Beside each core there is a column that was counted by hand.
+#[test]
+fn the_readme_says_what_a_step_of_a_body_that_turns_costs() {
+    let told = table(README, "| body that turns | step | method |");
+    assert_eq!(told.len(), 9);
+    for cells in told {
+        let &[
+            body,
+            step,
+            method,
+            m0,
+            by_hand_m0,
+            m4f,
+            by_hand_m4f,
+            riscv,
+            gba,
+        ] = &cells[..]
+        else {
+            panic!("{cells:?}");
+        };
+        for (said, target) in [m0, m4f, riscv, gba].into_iter().zip([M0, M4F, RISCV, GBA]) {
+            let body = format!("{body} rigid");
+            let cost = each(target, &format!("gravity {step}"), &body, method);
+            assert_eq!(said, cost, "{target} {cells:?}");
+        }
+        for (cost, by_hand) in [(m0, by_hand_m0), (m4f, by_hand_m4f)] {
+            let below = |least: f64| least <= cost.parse().unwrap();
+            assert!(
+                by_hand.is_empty() || below(by_hand.parse().unwrap()),
+                "{cells:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn the_readme_says_what_a_force_costs() {
-    let told = table(README, "| | for each | M0+ I16F16 |");
-    assert_eq!(told.len(), 14 + 4);
+    forces_cost("| | for each | M0+ I16F16 |", 14 + 4, "");
+    forces_cost("| of a body that turns | for each |", 4 + 3, " rigid");
+}
+
+fn forces_cost(header: &str, rows: usize, of: &str) {
+    let told = table(README, header);
+    assert_eq!(told.len(), rows);
     for cells in told {
         let [name, _, costs @ ..] = &cells[..] else {
             panic!("{cells:?}");
@@ -225,7 +268,8 @@ fn the_readme_says_what_a_force_costs() {
         let scalars = all.into_iter().cycle().take(6).chain(["I16F16"; 2]);
         for ((said, target), scalar) in costs.into_iter().zip(cores).zip(scalars) {
             if bodies.contains(&scalar) {
-                let cost = each(target, &scene, scalar, "SemiImplicitEuler");
+                let scalar = format!("{scalar}{of}");
+                let cost = each(target, &scene, &scalar, "SemiImplicitEuler");
                 assert_eq!(said, rounded(cost), "{target} {scalar} {cells:?}");
             } else {
                 assert_eq!(said, "", "{scalar} {cells:?}");
@@ -284,6 +328,7 @@ fn ram_more(name: &str) -> String {
         name if name.contains(" + ") => return String::new(),
         "Verlet" | "Rk4" | "Pefrl" => gravity("I16F16", name),
         "Carried" => gravity("I16F16 carried", semi),
+        "Rigid" => gravity("I16F16 rigid", semi),
         "I8F24" | "f32" => gravity(name, semi),
         "Anchor" | "ExactSpring" => force(8),
         "ExactPair" => force(4),

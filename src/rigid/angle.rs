@@ -107,8 +107,8 @@ impl<S: Angular> core::ops::Sub for Angle<S> {
     }
 }
 
-/// The cosine and the sine of an angle: turns vectors. Beside a 32-bit scalar each is off by at most 1.5
-/// units of `2^-30`; lengths change by as much, and do not add up, since no rotation is made from another.
+/// The cosine and the sine of an angle: turns vectors. Beside a 32-bit scalar each is off by at most a unit
+/// of `2^-30`. Lengths change by as little, and for ever: no rotation is made from another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<S: Angular>([S::Unit; 2]);
 

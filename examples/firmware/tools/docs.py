@@ -34,6 +34,8 @@ def pages(table):
         "README.md": fill("README.md", [
             ("| body | step | method | M0+ |", figures.steps),
             ("| | for each | M0+ I16F16 |", figures.forces),
+            ("| body that turns | step | method |", figures.turning),
+            ("| of a body that turns | for each |", lambda cells: figures.forces(cells, " rigid")),
             ("| the scene, and | M0+ | M4F |", figures.flash),
             ("| method | order | force calls |", figures.methods),
         ], figures.sentences()),
@@ -83,11 +85,17 @@ class Figures:
         body, step, method = cells[:3]
         return [body, step, method, *(self.each(core, f"gravity {step}", body, method) for core in (M0, M4F, RISCV, GBA))]
 
-    def forces(self, cells):
-        name = cells[0].strip("`")
+    def turning(self, cells):
+        """As `steps`, with columns between that are counted by hand."""
+        body, step, method = cells[:3]
+        m0, m4f, riscv, gba = self.steps([f"{body} rigid", step, method])[3:]
+        return [body, step, method, m0, cells[4], m4f, cells[6], riscv, gba]
+
+    def forces(self, cells, bodies=""):
+        name = cells[0].replace("`", "")
         scene = f"{'beside' if '::' in name else 'force'} {name}"
         columns = [*((core, scalar) for core in (M0, M4F) for scalar in SCALARS), (RISCV, "I16F16"), (GBA, "I16F16")]
-        return [*cells[:2], *(rounded(self.each(core, scene, scalar, "SemiImplicitEuler")) for core, scalar in columns)]
+        return [*cells[:2], *(rounded(self.each(core, scene, scalar + bodies, "SemiImplicitEuler")) for core, scalar in columns)]
 
     def flash(self, cells):
         scene = "flash gravity 1/64 at s"
@@ -112,7 +120,7 @@ class Figures:
         if (M0, f"force {name}", body, method) in self.rows:
             each = {"Anchor": 8, "ExactSpring": 8, "ExactPair": 4}.get(name, 1)
             return f"{(of(f'force {name}', body, method) - of('force no force', body, method)) // each:+}"
-        other = {"Carried": "I16F16 carried"}.get(name, name)
+        other = {"Carried": "I16F16 carried", "Rigid": "I16F16 rigid"}.get(name, name)
         for key in ((scene, body, name), (scene, other, method)):
             if (M0, *key) in self.rows:
                 return f"{of(*key) - of(scene, body, method):+}"

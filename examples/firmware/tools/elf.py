@@ -6,6 +6,8 @@ from dataclasses import dataclass
 # No core here computes with f64: whatever makes or reads one calls one of these.
 DOUBLES = re.compile(r"__(aeabi_(d|cd|[a-z]+2d)|[a-z]+df)")
 PANICS = re.compile(r"panic|unwrap_failed|expect_failed|slice_index|a_panic_is_possible")
+# Modules of bodies that turn, as names of the compiler have them: none of a scene of points.
+TURNING = re.compile(r"5rigid|6torque|5shape|13angular_fixed|13angular_float|6circle")
 FORBIDDEN = re.compile(r"__rust_alloc|__rust_realloc|__rdl_|__rg_|^malloc$|^calloc$|__atomic_|__sync_")
 
 
@@ -14,6 +16,7 @@ class Symbols:
     panics: list[str]
     doubles: list[str]
     forbidden: list[str]
+    turning: list[str]
 
 
 def readelf(*arguments):
@@ -41,4 +44,5 @@ def symbols(image):
     def found(pattern):
         return [name for name in names if pattern.search(name)]
 
-    return Symbols(found(PANICS), [name for name in names if DOUBLES.match(name)], found(FORBIDDEN))
+    return Symbols(found(PANICS), [name for name in names if DOUBLES.match(name)], found(FORBIDDEN),
+                   found(TURNING))

@@ -4,7 +4,7 @@ import re
 
 import build
 import elf
-from targets import MORE
+from targets import MORE, TURNING, VERBS
 
 COLUMNS = ("target scene scalar method hash insn_per_body_step cycles_per_body_step insn_worst_step flash_bytes "
            "ram_bytes stack_bytes panic_symbols f64_symbols").split()
@@ -23,7 +23,7 @@ class Table:
         self.rows = list(rows)
         # (target, image, rounds, counted, expected of a round)
         self.calibrations = []
-        # Symbols of a heap or of atomics, by image.
+        # Symbols of a heap, of atomics, or of rung two where nothing turns, by image.
         self.forbidden = {}
         # Pictures, by where they are committed.
         self.pictures = {}
@@ -75,7 +75,7 @@ class Table:
         images are priced, has its row already."""
         name = image.name.removeprefix("with_")
         self.clean(target, image)
-        if name in ("empty", "everything", "exact"):
+        if name in ("empty", *VERBS):
             return
         flash = str(elf.flash(image) - elf.flash(empty))
         if level == "3":
@@ -102,7 +102,8 @@ class Table:
         if found is None:
             self.forbidden[image_key(target, image)] = []
             return {"panic_symbols": "0", "f64_symbols": "-"}
-        self.forbidden[image_key(target, image)] = list(found.forbidden)
+        turning = [] if image.name in TURNING else found.turning
+        self.forbidden[image_key(target, image)] = [*found.forbidden, *turning]
         return {"panic_symbols": str(len(found.panics)), "f64_symbols": str(len(found.doubles))}
 
     def differs_from(self, path, targets):

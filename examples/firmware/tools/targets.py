@@ -2,7 +2,11 @@
 from dataclasses import dataclass, field
 
 CHARTS = ["chart_cluster", "chart_kepler", "chart_pair", "chart_projectile", "chart_quadratic", "chart_spring"]
-RUNNING = ["price", "forces", "long", "rigid", "everything", "exact", *CHARTS]
+# Images that name every verb.
+VERBS = ["everything", "exact", "turning"]
+RUNNING = ["price", "forces", "long", "rigid", *VERBS, *CHARTS]
+# Images in which something turns; the others hold nothing of rung two.
+TURNING = ["rigid", "turning", "chart_rotor", "with_rigid", "with_torque", "with_attached"]
 # What `with_NAME` has more than the gravity scene, as the table says it.
 MORE = {
     "linear_drag": "LinearDrag",
@@ -19,6 +23,8 @@ MORE = {
     "pefrl": "Pefrl",
     "carried": "Carried",
     "rigid": "Rigid",
+    "torque": "Rigid + Torque + SpinDrag",
+    "attached": "Rigid + Pairs<Attached>",
     "i8f24": "I8F24",
     "f32": "f32",
     "accumulator": "Accumulator",
@@ -56,7 +62,7 @@ RISCV = ["qemu-system-riscv32", "-M", "virt", "-bios", "none", "-nographic", "-m
 
 TARGETS = {target.name: target for target in [
     Target("cortex-m0", "thumbv6m-none-eabi", [*ARM, "-M", "microbit", "-kernel"], ["qemu-system-arm"],
-           doubt=1, weighed={"3": ["empty", "gravity"], "s": ["everything", "exact", *WEIGHED]}),
+           doubt=1, weighed={"3": ["empty", "gravity"], "s": [*VERBS, *WEIGHED]}),
     Target("cortex-m4f", "thumbv7em-none-eabihf", [*ARM, "-M", "mps2-an386", "-kernel"], ["qemu-system-arm"],
            doubt=1, weighed={"3": ["empty", "gravity"], "s": WEIGHED}),
     Target("riscv", "riscv32imac-unknown-none-elf", [*RISCV, "-kernel"], ["qemu-system-misc"]),

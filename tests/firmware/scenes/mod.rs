@@ -3,6 +3,7 @@
 
 pub mod chart;
 pub mod every_exact;
+pub mod every_turning;
 pub mod every_verb;
 pub mod force;
 pub mod gravity;

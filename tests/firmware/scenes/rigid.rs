@@ -8,8 +8,8 @@ use fixstep::rigid::Centre;
 use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::{
     Angle, Angular, Body, BodyId, Carried, ConstantAcceleration, Decay, DyadicStep, Error, Euler,
-    Force, GravityY, Method, Pairs, Pefrl, PerBody, Point, Rigid, Rk4, Rotating, Scalar,
-    SemiImplicitEuler, Spring, Step, Time, TimeStep, Vec2, Verlet, World, dec, vec2,
+    Force, GravityY, Method, Pairs, Pefrl, PerBody, Point, Rigid, Rk4, Scalar, SemiImplicitEuler,
+    Spring, Step, Time, TimeStep, Vec2, Verlet, World, dec, vec2,
 };
 
 use super::{Meter, Name, Start, TICKS};
@@ -25,7 +25,9 @@ pub fn show(meter: &mut impl Meter) -> Result<(), Error> {
     kind::<Point<f32>>(meter, "f32 rigid")?;
     kind::<Carried<I16F16>>(meter, "I16F16 carried rigid")?;
     angles::<I16F16>(meter, "I16F16 rigid")?;
-    angles::<f32>(meter, "f32 rigid")
+    angles::<f32>(meter, "f32 rigid")?;
+    direction(meter);
+    Ok(())
 }
 
 fn kind<C>(meter: &mut impl Meter, scalar: &'static str) -> Result<(), Error>
@@ -198,7 +200,7 @@ fn angles<S: Angular>(meter: &mut impl Meter, scalar: &'static str) -> Result<()
     let name = |what| Name {
         scene: ["beside", what, ""],
         scalar,
-        method: "-",
+        method: "SemiImplicitEuler",
         ticks: &[],
     };
     let far = S::ratio(dec!(17.3)).unwrap_or(S::ZERO);
@@ -217,15 +219,42 @@ fn angles<S: Angular>(meter: &mut impl Meter, scalar: &'static str) -> Result<()
             far
         })
     };
-    meter.work(name("sine and cosine"), TIMES, sines, S::bits);
+    meter.work(name("Angle::rotation"), TIMES, sines, S::bits);
     let vectors = || {
         all(|angle, far| {
             let v = angle.rotation().turn(Vec2::new(far, far));
             v.x.plus(v.y)
         })
     };
-    meter.work(name("sine, cosine and a vector"), TIMES, vectors, S::bits);
+    meter.work(name("Rotation::turn"), TIMES, vectors, S::bits);
     let lengths = || all(|_, far| Vec2::new(black_box(far), far).length());
-    meter.work(name("length"), TIMES, lengths, S::bits);
+    meter.work(name("Vec2::length"), TIMES, lengths, S::bits);
     Ok(())
+}
+
+/// The other way to know where a body points: its cosine and sine, in units of 2^-30, turned in each step and
+/// made a unit long again by a step of Newton's method.
+fn direction(meter: &mut impl Meter) {
+    const ONE: i64 = 1 << 30;
+    fn product(a: i32, b: i32) -> i32 {
+        ((a as i64 * b as i64 + ONE / 2) >> 30) as i32
+    }
+    fn turned([cos, sin]: [i32; 2], [c, s]: [i32; 2]) -> [i32; 2] {
+        let x = product(cos, c).wrapping_sub(product(sin, s));
+        let y = product(cos, s).wrapping_add(product(sin, c));
+        let square = product(x, x).wrapping_add(product(y, y));
+        let inverse = ((3 * ONE - square as i64) / 2) as i32;
+        [product(x, inverse), product(y, inverse)]
+    }
+    let by = black_box([1_069_766_225, 92_313_207]); // 0.0137 turns
+    let kept = || (0..TIMES).fold([ONE as i32, 0], |kept, _| black_box(turned(kept, by)));
+    let name = Name {
+        scene: ["beside", "a kept direction", ""],
+        scalar: "I16F16 rigid",
+        method: "SemiImplicitEuler",
+        ticks: &[],
+    };
+    meter.work(name, TIMES, kept, |[x, y]| {
+        (x as u32 as u64) << 32 | y as u32 as u64
+    });
 }

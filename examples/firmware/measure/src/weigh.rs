@@ -4,7 +4,8 @@ use core::hint::black_box;
 
 use fixstep::fixed::types::I16F16;
 use fixstep::{
-    Body, BodyId, DyadicStep, Error, Force, Method, Point, SemiImplicitEuler, TimeStep, World,
+    Body, BodyId, DyadicStep, Error, Force, Method, Point, Rigid, SemiImplicitEuler, TimeStep,
+    World, dec, vec2,
 };
 
 use crate::scenes::gravity::{self, POINTS};
@@ -67,6 +68,26 @@ where
     let step = DyadicStep::<B::S, 1, 6>::new()?;
     let mut gravity = gravity::gravity()?;
     run(&mut world, &mut method, &step, &mut gravity, 600);
+    black_box(&world);
+    Ok(())
+}
+
+/// Gravity on as many bodies that turn, and a force that `more` makes for the first two.
+pub fn turning<F: Force<Rigid<Ball>>>(
+    more: impl FnOnce([BodyId; 2]) -> Result<F, Error>,
+) -> Result<(), Error> {
+    let mut world = World::<Rigid<Ball>, POINTS>::new();
+    for i in 0..POINTS as i32 {
+        let point = Point::new(vec2(i - 16, 60 + i)?, vec2(16 - i, 0)?, 1)?;
+        let _ = world.add(Rigid::new(point, dec!(0.5))?.with_spin(1)?);
+    }
+    let step = DyadicStep::<I16F16, 1, 6>::new()?;
+    let ids = world.ids();
+    let (Some(&first), Some(&second)) = (ids.first(), ids.get(1)) else {
+        return Ok(());
+    };
+    let mut forces = (gravity::gravity()?, more([first, second])?);
+    run(&mut world, &mut SemiImplicitEuler, &step, &mut forces, 600);
     black_box(&world);
     Ok(())
 }
