@@ -32,7 +32,7 @@ pub use rotating::Rotating;
 pub use rotor::{PlainRotor, Rotor};
 
 /// A body of rung one that can be the centre of mass of a rigid one.
-pub trait Centre: Body<S: Angular> {
+pub trait Centre: Body<S: Angular> + From<Point<<Self as Body>::S>> {
     /// How its body turns.
     type Rotor: Rotor<Self::S>;
 

@@ -43,7 +43,7 @@ fn steps_i64(n: i64, mantissa: i64, shift: u32) -> u64 {
         None | Some(0) => (product as u64) << (64 - shift).min(63),
         Some(down) => {
             let down = down.min(126);
-            (product + (1 << (down - 1)) + (product >> 127) >> down) as u64
+            ((product + (1 << (down - 1)) + (product >> 127)) >> down) as u64
         }
     }
 }

@@ -57,11 +57,10 @@ impl<'a, S: Rational> Outline<'a, S> {
         let wide = 128 - size.leading_zeros();
         outline.shift = used.trailing_zeros().max(wide.saturating_sub(BITS));
         outline.bits = wide.saturating_sub(outline.shift);
-        match wide as i32 + outline.fine {
-            _ if size == 0 => Err(FLAT),
-            33.. => Err(BEYOND),
-            _ => Ok(outline),
+        if wide as i32 + outline.fine > 32 {
+            return Err(BEYOND);
         }
+        Ok(outline)
     }
 
     /// A vertex in fine units, below `2^120`.

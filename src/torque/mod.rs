@@ -10,11 +10,11 @@
 //! The forces of [`force`](crate::force) act on the centre of mass of a body that turns as they do on a point.
 
 mod attached;
+mod motor;
 mod spin_drag;
-mod torque;
 mod wrench;
 
 pub use attached::Attached;
+pub use motor::Torque;
 pub use spin_drag::SpinDrag;
-pub use torque::Torque;
 pub use wrench::Wrench;
