@@ -65,7 +65,14 @@
 //! The explicit ones are forces of the article and go with every method; networks of springs need them. The
 //! exact springs and [`Ballistic`](crate::Ballistic) go with `SemiImplicitEuler` and `Verlet`.
 //!
-//! # 6. Going back
+//! # 6. What turns
+//!
+//! [`Rigid`](crate::Rigid) on a [`Point`](crate::Point), for 16 bytes more; on a [`Carried`](crate::Carried) where
+//! spins go on for hours. The README has the prices. [`SpinDrag`](crate::torque::SpinDrag) has no limit.
+//! A spring between points of bodies ([`Attached`](crate::torque::Attached)) that is stiff for their inertia limits the step as
+//! any explicit spring does: tied to a wall across an arm r, `h² k (1/m + r²/I) < 4`.
+//!
+//! # 7. Going back
 //!
 //! A replay, a rollback, a debugger: a clone of the world if memory allows, else
 //! [`World::step_back`](crate::World::step_back) in fixed point, without drag.

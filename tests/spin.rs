@@ -32,9 +32,9 @@ const TURN: f64 = 18_446_744_073_709_551_616.0;
 trait OnCircle: Angular {
     fn off_circle(angle: Self::Turns) -> f64;
 
-    /// A cosine and a sine are each off by at most 1.3 units (the unit tests of `circle.rs`), so the square of their
-    /// length by `2 (cos, sin) · e <= 2 sqrt(2) 1.3 = 3.7`. As an `f32` each is rounded, by
-    /// 2^-25 = 32 units more: `2 sqrt(2) (32 + 1.3) = 94.2`.
+    /// The square of the length is off by `2 (cos, sin) · e` for errors e: where none is above 1.4 units, and the
+    /// unit tests of `circle.rs` ask for less, by `2 sqrt(2) 1.4 = 4`. As an `f32` each is rounded, by 2^-25 = 32
+    /// units more: `2 sqrt(2) (32 + 1.4) = 95`.
     const BOUND: f64;
 }
 

@@ -23,10 +23,10 @@ use crate::vec2::Vec2;
 /// let mut world = World::<_, 2>::new();
 /// let rod = Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?;
 /// let rod = world.add(Rigid::new(rod, dec!(0.5))?)?;
-/// let wall = world.add(Rigid::fixed(vec2(4, 0)?)?)?;
+/// let wall = world.add(Rigid::<Point<f32>>::fixed(vec2(4, 0)?)?)?;
 /// // From the end of the rod to the middle of the wall.
 /// let spring = Attached {
-///     spring: Spring::new(2, 40, dec!(0.5))?,
+///     spring: Spring::<f32>::new(2, 40, dec!(0.5))?,
 ///     at: [vec2(1, 0)?, Vec2::ZERO],
 /// };
 /// let spring = Pairs::new(spring, [[rod, wall]]);
