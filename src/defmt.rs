@@ -10,7 +10,8 @@ use crate::id::{BodyId, Stale};
 use crate::point::Point;
 use crate::ratio::Ratio;
 use crate::rewind::RewindError;
-use crate::scalar::{Carry, Scalar};
+use crate::rigid::{Angle, Centre, Rigid};
+use crate::scalar::{Angular, Carry, Scalar, Turns};
 use crate::snapshot::{SnapshotError, VERSION};
 use crate::vec2::Vec2;
 use crate::watched::Watched;
@@ -37,6 +38,26 @@ impl<S: Scalar + Format> Format for Point<S> {
 impl<S: Carry + Format> Format for Carried<S> {
     fn format(&self, f: Formatter) {
         write!(f, "at {} with {}", self.position(), self.velocity());
+    }
+}
+
+/// As a number of turns in the scalar, from -1/2 to 1/2: its 32 highest bits.
+impl<S: Angular + Format> Format for Angle<S> {
+    fn format(&self, f: Formatter) {
+        let bits = self.count().bits() << (64 - 8 * size_of::<S::Turns>().min(8));
+        let turns = Ratio::new((bits as i64) >> 32, 1 << 32).ok();
+        write!(f, "{} turns", turns.and_then(S::ratio).unwrap_or(S::ZERO));
+    }
+}
+
+impl<C: Centre<S: Format> + Format> Format for Rigid<C> {
+    fn format(&self, f: Formatter) {
+        let (driven, centre, _) = self.parts();
+        let (angle, spin) = (self.angle(), self.spin());
+        write!(f, "{}, at {}, {} turns/s", centre, angle, spin);
+        if driven {
+            write!(f, ", driven");
+        }
     }
 }
 

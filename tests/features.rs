@@ -27,6 +27,9 @@ mod log;
 #[path = "features/refused.rs"]
 mod refused;
 #[cfg(feature = "serde")]
+#[path = "features/rigid.rs"]
+mod rigid;
+#[cfg(feature = "serde")]
 #[path = "features/round_trips.rs"]
 mod round_trips;
 #[cfg(feature = "mint")]

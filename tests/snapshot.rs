@@ -8,6 +8,8 @@ mod bodies;
 mod bytes;
 #[path = "snapshot/carried.rs"]
 mod carried;
+#[path = "snapshot/cast.rs"]
+mod cast;
 #[path = "snapshot/cuts.rs"]
 mod cuts;
 #[path = "snapshot/damage.rs"]
@@ -20,9 +22,17 @@ mod fuzz;
 mod layout;
 #[path = "snapshot/refusals.rs"]
 mod refusals;
+#[path = "snapshot/rigid.rs"]
+mod rigid;
+#[path = "snapshot/rigid_states.rs"]
+mod rigid_states;
 #[path = "snapshot/samples.rs"]
 mod samples;
 #[path = "snapshot/scenes.rs"]
 mod scenes;
 #[path = "snapshot/states.rs"]
 mod states;
+#[path = "snapshot/tally.rs"]
+mod tally;
+#[path = "snapshot/turning.rs"]
+mod turning;

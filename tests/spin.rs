@@ -5,8 +5,11 @@
 //! s n a/b  modulo 1        s = num / den turns/s as it is held, a step of a/b s
 //! ```
 //!
-//! `spin/pair.rs` has the same for a cosine and a sine that are turned by a small angle in each step.
+//! `spin/methods.rs` has the remainder of a spin under each method, `spin/pair.rs` the same for a cosine and a
+//! sine that are turned by a small angle in each step.
 
+#[path = "spin/methods.rs"]
+mod methods;
 #[path = "spin/pair.rs"]
 mod pair;
 mod support;

@@ -1,7 +1,7 @@
 //! The rotor of a body that carries: 20 bytes in a 32-bit scalar.
 
 use super::angle::Angle;
-use super::rotor::Rotor;
+use super::rotor::{Rotor, is_inverse};
 use crate::scalar::CarryAngular;
 use crate::step::Revolve;
 
@@ -31,19 +31,18 @@ impl<S: CarryAngular> CarriedRotor<S> {
         (self.angle, self.rest)
     }
 
-    /// From a state that was one before.
+    /// From a state that was one before, NaN and all; `None` where no body has the inverse inertia.
     pub(crate) fn from_parts(
         angle: S::Fine,
-        kept: (S, S::Rest),
+        (spin, rest): (S, S::Rest),
         inv_inertia: S::Coef,
-    ) -> CarriedRotor<S> {
-        let (spin, rest) = kept;
-        CarriedRotor {
+    ) -> Option<Self> {
+        is_inverse::<S>(inv_inertia).then_some(CarriedRotor {
             angle,
             spin,
             inv_inertia,
             rest,
-        }
+        })
     }
 }
 
@@ -64,8 +63,12 @@ impl<S: CarryAngular> Revolve<S> for CarriedRotor<S> {
 impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
     #[inline]
     fn new(inv_inertia: S::Coef) -> Self {
-        let angle = S::fine(Angle::<S>::ZERO.count());
-        Self::from_parts(angle, (S::ZERO, S::NO_REST), inv_inertia)
+        CarriedRotor {
+            angle: S::fine(Angle::<S>::ZERO.count()),
+            spin: S::ZERO,
+            inv_inertia,
+            rest: S::NO_REST,
+        }
     }
 
     #[inline]

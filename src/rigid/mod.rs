@@ -15,6 +15,7 @@ mod angle;
 pub mod carried_rotor;
 mod rotating;
 pub mod rotor;
+mod saved;
 mod state;
 
 use crate::body::{Body, finite};
@@ -30,6 +31,7 @@ pub use angle::{Angle, Rotation};
 pub use carried_rotor::CarriedRotor;
 pub use rotating::Rotating;
 pub use rotor::{PlainRotor, Rotor};
+pub use saved::SavedRotor;
 
 /// A body of rung one that can be the centre of mass of a rigid one.
 pub trait Centre: Body<S: Angular> + From<Point<<Self as Body>::S>> {
@@ -251,16 +253,6 @@ impl<C: Centre> Rigid<C> {
         finite("spin", Vec2::new(spin, C::S::ZERO))?;
         self.rotor.set_spin(spin);
         Ok(())
-    }
-
-    /// Both halves, for a snapshot.
-    pub(crate) const fn halves(&self) -> (&C, &C::Rotor) {
-        (&self.centre, &self.rotor)
-    }
-
-    /// From halves that were one body before.
-    pub(crate) const fn from_halves(centre: C, rotor: C::Rotor) -> Rigid<C> {
-        Rigid { centre, rotor }
     }
 }
 

@@ -11,7 +11,8 @@
 use core::fmt::Debug;
 
 use super::angle::Angle;
-use crate::scalar::{Angular, Factor};
+use crate::ratio::Ratio;
+use crate::scalar::{Angular, Factor, Scalar};
 use crate::step::Revolve;
 
 /// The half of a rigid body that turns.
@@ -74,6 +75,26 @@ pub struct PlainRotor<S: Angular> {
     angle: S::Turns,
     spin: S,
     inv_inertia: S::Coef,
+}
+
+impl<S: Angular> PlainRotor<S> {
+    /// From a state that was one before, NaN and all; `None` where no body has the inverse inertia.
+    pub(crate) fn from_parts(angle: Angle<S>, spin: S, inv_inertia: S::Coef) -> Option<Self> {
+        is_inverse::<S>(inv_inertia).then_some(PlainRotor {
+            angle: angle.count(),
+            spin,
+            inv_inertia,
+        })
+    }
+}
+
+/// Whether a body can have it as `1 / 2πI`: zero, or finite and greater.
+pub(super) fn is_inverse<S: Scalar>(inv_inertia: S::Coef) -> bool {
+    // The least coefficient rounds to nothing even of the largest scalar: a million of it do not.
+    let greater = |million| S::product(inv_inertia, million).of(S::MAX) > S::ZERO;
+    let finite = inv_inertia.of(S::ZERO) == S::ZERO;
+    inv_inertia == S::ZERO.coef()
+        || finite && S::Coef::new(Ratio::from(1_000_000)).is_some_and(greater)
 }
 
 impl<S: Angular> Revolve<S> for PlainRotor<S> {

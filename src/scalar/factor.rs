@@ -64,7 +64,7 @@ impl<R: Raw> Gain<R> {
 }
 
 impl<R: Raw> Coef<R> {
-    const MAX_SHIFT: u32 = 2 * R::BITS - 2;
+    pub(super) const MAX_SHIFT: u32 = 2 * R::BITS - 2;
 
     #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Coef<R>> {

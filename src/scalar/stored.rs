@@ -3,10 +3,10 @@
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
-use super::factor::InvMass;
+use super::factor::{Coef, InvMass};
 
 /// A number that a snapshot can hold. Implement it for a number type of your own, and for its
-/// inverse mass, and its worlds can be saved.
+/// inverse mass, and its worlds can be saved; for its coefficients too, where bodies turn.
 pub trait Stored: Copy {
     /// Tells number types apart. Yours starts at `0x8000_0000`.
     const FORMAT: u32;
@@ -77,3 +77,20 @@ macro_rules! fixed_point {
 
 fixed_point!(FixedI32<LeEqU32>, i32, u32);
 fixed_point!(FixedI64<LeEqU64>, i64, u64);
+
+/// As a fraction makes it, and no other is read: its mantissa has as many bits as it can have, or it is zero.
+impl Stored for Coef<i32> {
+    const FORMAT: u32 = 0x0400_0000 | i32::BITS;
+    const BYTES: usize = 5;
+
+    fn store(self) -> u64 {
+        let (mantissa, shift) = self.parts();
+        (shift as u64) << 32 | mantissa as u32 as u64
+    }
+
+    fn restore(bits: u64) -> Option<Self> {
+        let (mantissa, shift) = (bits as i32, u32::try_from(bits >> 32).ok()?);
+        let whole = mantissa == 0 || mantissa.unsigned_abs() >> (i32::BITS - 2) == 1;
+        (whole && (1..=Self::MAX_SHIFT).contains(&shift)).then(|| Coef::of_raw(mantissa, shift))
+    }
+}

@@ -8,10 +8,16 @@
 //! 12  4  bytes a body    40  .  id and state of each body, in order
 //! ```
 //!
-//! Little endian on every target. Of a 32-bit scalar a [`Point`](crate::Point) takes 24 bytes and a
-//! [`Carried`](crate::Carried) 36. The world that is read continues with the same bits, on any target that makes the same bits. Forces, method and step
-//! are no part of it: the scene makes them as it did before, for the ids it finds in
-//! [`World::ids`]. Within one program a clone of the world does the same for less.
+//! Little endian on every target. With its id a body takes, in bytes:
+//!
+//! | | [`Point`](crate::Point) | [`Carried`](crate::Carried) | [`Rigid`](crate::Rigid) of a point | of one that carries |
+//! |---|---|---|---|---|
+//! | 32-bit fixed point | 24 | 36 | 38 | 56 |
+//! | `f32` | 24 | 36 | 37 | 55 |
+//!
+//! and one more if it is [`Watched`](crate::Watched). The world that is read continues with the same bits, on any target that
+//! makes the same bits. Forces, method and step are no part of it: the scene makes them as it did before, for the ids it finds
+//! in [`World::ids`]. Within one program a clone of the world does the same for less.
 //!
 //! Nothing is read from bytes of which one was changed: a byte enters the sum by steps that can be
 //! undone, so no two inputs that differ in one byte have the same.
@@ -43,7 +49,8 @@ const NO_ID: u64 = 1 << 32;
 /// A body that a snapshot can hold.
 pub trait Saved: Body<S: Stored> {
     /// Tells kinds of bodies apart. Yours starts at `0x8000` and ends below `0xC000`: a
-    /// [`Watched`](crate::Watched) body sets the bit `0x4000`.
+    /// [`Watched`](crate::Watched) body sets the bit `0x4000`. A [`Rigid`](crate::Rigid) body has that of its
+    /// centre and two more.
     const KIND: u16;
 
     /// Bytes of its state: as many as `save` hands out and `load` takes.
@@ -87,7 +94,7 @@ pub enum SnapshotError {
         /// Bodies that the world holds.
         capacity: usize,
     },
-    /// No world has this state: ids that do not rise, a mass or a remainder that is none.
+    /// No world has this state: ids that do not rise, a mass, an inertia or a remainder that is none.
     State,
 }
 

@@ -3,10 +3,10 @@
 
 use defmt::Format;
 use defmt::export::fetch_bytes;
-use fixstep::fixed::types::I16F16;
+use fixstep::fixed::types::{I16F16, I32F32};
 use fixstep::{
-    Accumulator, Body, BodyId, Carried, Due, Error, Point, Ratio, RewindError, SnapshotError,
-    Stale, Vec2, Watched, World, dec, vec2,
+    Accumulator, Angle, Body, BodyId, Carried, Due, Error, Point, Ratio, RewindError, Rigid,
+    SnapshotError, Stale, Vec2, Watched, World, dec, vec2,
 };
 
 /// Asserts that `parts` stand in the log of `value`, one behind the other.
@@ -23,6 +23,13 @@ fn logs(value: &impl Format, parts: &[&[u8]]) {
         };
         rest = &rest[place + part.len()..];
     }
+}
+
+/// Bytes of the log of `value`.
+fn length(value: &impl Format) -> usize {
+    fetch_bytes();
+    defmt::println!("{}", value);
+    fetch_bytes().len()
 }
 
 fn point(x: i32) -> Point<f32> {
@@ -62,6 +69,36 @@ fn bodies_that_carry_show_the_same() {
     let state = [3.0, 7.0, -1.5, 9.0].map(float);
     let body = Carried::from(point(3));
     logs(&body, &[&state[0], &state[1], &state[2], &state[3]]);
+}
+
+// A negative angle, 3 / 8 of a turn back, which floats and fixed point hold; beside 64 bits too.
+#[test]
+fn angles_show_turns() {
+    let back = dec!(-0.375);
+    logs(&Angle::<f32>::turns(back), &[&float(-0.375)]);
+    logs(&Angle::<f64>::turns(back), &[&(-0.375_f64).to_le_bytes()]);
+    logs(&Angle::<I16F16>::turns(back), &[b"-0.375"]);
+    logs(&Angle::<I32F32>::turns(back), &[b"-0.375"]);
+}
+
+#[test]
+fn bodies_that_turn_show_angle_spin_and_whether_they_are_driven() {
+    let state = [3.0, 7.0, -1.5, 9.0, -0.375, 0.625]
+        .map(float)
+        .map(Vec::from);
+    let parts: Vec<&[u8]> = state.iter().map(Vec::as_slice).collect();
+    let angle = Angle::turns(dec!(-0.375));
+    let turning = |body: Rigid<Point<f32>>| body.with_angle(angle).with_spin(dec!(0.625)).unwrap();
+    let body = turning(Rigid::new(point(3), 1).unwrap());
+    let driven = turning(Rigid::kinematic(body.position(), body.velocity()).unwrap());
+    logs(&body, &parts);
+    logs(&driven, &parts);
+    assert!(length(&driven) > length(&body));
+    let carried = Rigid::new(Carried::from(point(3)), 1).unwrap();
+    logs(
+        &carried.with_angle(angle).with_spin(dec!(0.625)).unwrap(),
+        &parts,
+    );
 }
 
 #[test]
@@ -139,11 +176,6 @@ fn snapshot_errors_show_what_was_found() {
 fn watched_bodies_show_body_and_mark() {
     let mut ball = Watched::new(point(3));
     let state = [3.0, 7.0, -1.5, 9.0].map(float).concat();
-    let length = |value: &Watched<Point<f32>>| {
-        fetch_bytes();
-        defmt::println!("{}", value);
-        fetch_bytes().len()
-    };
     logs(&ball, &[&state[..4], &state[12..]]);
     let unmarked = length(&ball);
     ball.kick(vec2(dec!(0), 0).unwrap());

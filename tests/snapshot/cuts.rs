@@ -2,10 +2,14 @@
 //! bits of the one that was never stopped: random cuts through every scene, method, step and scalar.
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
-use fixstep::{Carried, DyadicStep, Force, Point, Step, TimeStep, World};
+use fixstep::{
+    Carried, Decay, DyadicStep, Force, Point, Rigid, Rotating, Step, TimeStep, Watched, World,
+};
 
 use super::bytes::Random;
-use super::scenes::{Cast, FIRST, ROOM, Scene, events, flight, stars, start, tied};
+use super::cast::Cast;
+use super::scenes::{FIRST, ROOM, Scene, events, flight, stars, start, tied};
+use super::turning::turning;
 use crate::support::{Chosen, Format, SCHEMES};
 
 const CUTS: usize = 12;
@@ -155,4 +159,22 @@ fn three_thousand_cuts_of_bodies_that_carry_go_on_with_the_same_bits() {
     at_60_hz::<Carried<I16F16>>(&mut met);
     dyadic::<Carried<I8F24>>(&mut met);
     check(&met, 3000);
+}
+
+fn turned<B: Cast + Rotating<S: Decay>>(step: &impl TimeStep<B::S>, what: &str, met: &mut Met) {
+    let what = format!("{what} {}, turning", B::S::name());
+    cut(turning::<B>, step, &what, met);
+}
+
+#[test]
+fn cuts_of_bodies_that_turn_go_on_with_the_same_bits() {
+    let mut met = met(6);
+    turned::<Rigid<Point<f32>>>(&Step::hz(60).unwrap(), "1/60", &mut met);
+    let dyadic = DyadicStep::<I16F16, 1, 6>::new().unwrap();
+    turned::<Rigid<Point<I16F16>>>(&dyadic, "1/64", &mut met);
+    turned::<Watched<Rigid<Point<I8F24>>>>(&Step::hz(60).unwrap(), "1/60 watched", &mut met);
+    turned::<Rigid<Carried<I16F16>>>(&Step::hz(60).unwrap(), "1/60 carried", &mut met);
+    let dyadic = DyadicStep::<f32, 1, 6>::new().unwrap();
+    turned::<Rigid<Carried<f32>>>(&dyadic, "1/64 carried", &mut met);
+    check(&met, 1_400);
 }

@@ -1,9 +1,31 @@
 //! Damaged bytes are refused: each bit and each byte in turn, every loss and every addition.
 
-use fixstep::SnapshotError;
+use fixstep::fixed::types::I16F16;
+use fixstep::{Carried, Point, Rigid, SnapshotError, Stored, Watched};
 
 use super::bytes::{HEADER, Random, VERSION, get, seal};
-use super::samples::{Sample, all};
+use super::cast::Cast;
+use super::samples::{self, Sample, saved};
+use super::scenes::{Scene, start};
+use crate::support::Format;
+
+/// Five bodies, of which one is driven and one locked where they turn.
+fn sample<B: Cast>(name: &str) -> Sample {
+    Sample {
+        name: format!("{name} of {}", B::S::name()),
+        bytes: saved(&start::<B>(3)),
+        format: B::S::FORMAT,
+        load: |bytes| Scene::<B>::load(bytes).map(drop),
+    }
+}
+
+fn all() -> impl Iterator<Item = Sample> {
+    samples::all().chain([
+        sample::<Rigid<Point<f32>>>("rigid points"),
+        sample::<Rigid<Carried<I16F16>>>("rigid bodies that carry"),
+        sample::<Watched<Rigid<Point<I16F16>>>>("watched rigid points"),
+    ])
+}
 
 /// What a byte that was changed must lead to. Magic and version are looked at before the checksum,
 /// so that another version may have another checksum.

@@ -1,7 +1,7 @@
 //! Worlds to be saved, damaged and mistaken for one another: every scalar, empty to full.
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
-use fixstep::{GravityY, Point, SnapshotError, Step, Verlet, World, dec};
+use fixstep::{GravityY, Point, Saved, SnapshotError, Step, Verlet, World, dec};
 
 use super::bytes::Kept;
 use crate::support::{point, spread};
@@ -38,8 +38,8 @@ pub fn world<S: Kept>(count: usize) -> Small<S> {
     world
 }
 
-pub fn saved<S: Kept, const N: usize>(world: &World<Point<S>, N>) -> Vec<u8> {
-    let mut bytes = vec![0; World::<Point<S>, N>::SNAPSHOT];
+pub fn saved<B: Saved, const N: usize>(world: &World<B, N>) -> Vec<u8> {
+    let mut bytes = vec![0; World::<B, N>::SNAPSHOT];
     let length = world.save(&mut bytes).unwrap();
     bytes.truncate(length);
     bytes

@@ -1,15 +1,12 @@
 //! Three scenes that name every force between them, with bodies that come and go. What happens at a
 //! tick depends on nothing but the world and the tick, as in a program that can be restarted.
 
-use std::fmt::Debug;
-
 use fixstep::{
     AllBodies, AllPairs, Anchor, BodyId, Force, Gravity, GravityY, LinearDrag, Pairs, PerBody,
-    Point, Pull, Push, QuadraticDrag, Saved, Scalar, Spring, Time, Vec2, Window, World, dec,
-    heapless, vec2,
+    Pull, Push, QuadraticDrag, Scalar, Spring, Time, Vec2, Window, World, dec, heapless, vec2,
 };
 
-use super::bytes::Kept;
+use super::cast::Cast;
 use crate::support::{point, spread};
 
 pub const ROOM: usize = 7;
@@ -18,17 +15,12 @@ pub const FIRST: usize = 5;
 
 pub type Scene<B> = World<B, ROOM>;
 
-/// A body that can be made of a point and saved.
-pub trait Cast: Saved<S: Kept> + From<Point<Self::S>> + Debug {}
-
-impl<B: Saved<S: Kept> + From<Point<B::S>> + Debug> Cast for B {}
-
 /// Start values and masses from the golden ratio, within what an `I8F24` holds.
 fn newcomer<B: Cast>(seed: usize) -> B {
     let part = |k: usize| 2.0 * spread(8 * seed + k) - 1.0;
     let position = [6.0 * part(0), 6.0 * part(1)];
     let velocity = [2.0 * part(2), 2.0 * part(3)];
-    point(position, velocity, 1.5 + part(4)).into()
+    B::of(point(position, velocity, 1.5 + part(4)), seed)
 }
 
 pub fn start<B: Cast>(seed: usize) -> Scene<B> {
@@ -63,7 +55,7 @@ pub fn events<B: Cast>(world: &mut Scene<B>) {
 }
 
 /// The body with that number, if it is still there: all that a program knows after a restart.
-fn named<B: Cast>(world: &Scene<B>, serial: u32) -> Option<BodyId> {
+pub fn named<B: Cast>(world: &Scene<B>, serial: u32) -> Option<BodyId> {
     let mut ids = world.ids().iter().copied();
     ids.find(|id| id.serial() == serial)
 }

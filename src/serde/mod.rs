@@ -1,10 +1,13 @@
-//! Serialising with serde: vectors, ids, points, bodies that carry or are watched, worlds.
+//! Serialising with serde: vectors, ids, points, bodies that carry or are watched, worlds; `rigid.rs` has
+//! angles and bodies that turn.
 //!
 //! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
 //! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
 //! keeps numbers exactly. A body that carries is `{ place, velocity, inv_mass, rest }`, with the bits of a
 //! [snapshot](crate::snapshot) for its places and remainders. What is read is checked as a snapshot is, and a field that
 //! is missing or unknown is refused; the number type is that of the target and is not written.
+
+mod rigid;
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
