@@ -68,7 +68,7 @@
 //! | a snapshot of another kind of body | [`World::load`](crate::World::load) | `Kind` | nothing was made |
 //! | a snapshot of another number type | [`World::load`](crate::World::load) | `Scalar` | nothing was made |
 //! | a snapshot of more bodies than there is room | [`World::load`](crate::World::load) | `Full` | nothing was made |
-//! | a snapshot whose ids do not rise, or of no mass | [`World::load`](crate::World::load) | `State` | nothing was made |
+//! | a snapshot whose ids do not rise, or of no mass or inertia | [`World::load`](crate::World::load) | `State` | nothing was made |
 //! | to go back from tick 0 | [`World::step_back`](crate::World::step_back) | `AtStart` | the world |
 //! | to go back with a body that has left the range, or would on the way | [`World::step_back`](crate::World::step_back) | `Saturated` | the world |
 //! | to undo a step in which a force has damping | [`World::step_back`](crate::World::step_back) | `Damped` | the world |

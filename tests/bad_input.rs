@@ -147,7 +147,7 @@ rows! {
     other_kind, "a snapshot of another kind of body": snapshots::other_kind();
     other_scalar, "a snapshot of another number type": snapshots::other_scalar();
     other_room, "a snapshot of more bodies than there is room": snapshots::other_room();
-    other_state, "a snapshot whose ids do not rise, or of no mass": snapshots::other_state();
+    other_state, "a snapshot whose ids do not rise, or of no mass or inertia": snapshots::other_state();
     back_from_0, "to go back from tick 0": rewinds::from_0();
     back_from_outside, "to go back with a body that has left the range, or would on the way": rewinds::from_outside();
     back_through_damping, "to undo a step in which a force has damping": rewinds::through_damping();

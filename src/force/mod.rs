@@ -242,7 +242,8 @@ pub trait Force<B: Body> {
     }
 
     /// Moves bodies through this part of the step by the exact solution of their motion, in place
-    /// of their drift, and marks each in `moved`; leaves alone those which are marked already.
+    /// of their drift, and marks each in `moved`; leaves alone those which are marked already. It turns what
+    /// it moves, by [`Body::coast`] or [`Body::coast_half`].
     #[inline]
     fn flow<H: TimeStep<B::S>>(
         &mut self,
