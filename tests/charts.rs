@@ -25,6 +25,11 @@ mod pareto;
 #[path = "../examples/charts/reference.rs"]
 mod reference;
 #[allow(dead_code)] // only the constants are used
+#[path = "../examples/charts/rotor.rs"]
+mod rotor;
+#[path = "charts/rotor.rs"]
+mod rotors;
+#[allow(dead_code)] // only the constants are used
 #[path = "../examples/charts/scenes.rs"]
 mod scenes;
 #[allow(dead_code)] // the example has titles

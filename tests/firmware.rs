@@ -123,6 +123,7 @@ fn host() -> Result<Bits, Error> {
     chart::show::<chart::Kepler>(&mut bits)?;
     chart::show::<chart::Cluster>(&mut bits)?;
     chart::show::<chart::Pair>(&mut bits)?;
+    chart::show::<chart::Rotor>(&mut bits)?;
     Ok(bits)
 }
 
@@ -234,7 +235,7 @@ fn the_readme_says_what_a_step_of_a_body_that_turns_costs() {
             assert_eq!(said, cost, "{target} {cells:?}");
         }
         for (cost, by_hand) in [(m0, by_hand_m0), (m4f, by_hand_m4f)] {
-            let below = |least: f64| least <= cost.parse().unwrap();
+            let below = |least: f64| least <= cost.parse::<f64>().unwrap();
             assert!(
                 by_hand.is_empty() || below(by_hand.parse().unwrap()),
                 "{cells:?}"

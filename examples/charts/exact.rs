@@ -3,6 +3,7 @@
 //! ```text
 //! spring       x = x0 cos ωt + v0/ω sin ωt                                      ω² = k/m
 //! projectile   x = x0 + w t + (v0 - w) (1 - e^-kt)/k          w = g/k, for 1 kg
+//! rotor        θ = θ0 + s t + (s0 - s) (1 - e^-kt)/k          s = M / 2πc, k = c/I; first of a place
 //! pair         centre uniform; distance L + (d0 - L) cos ωt + u0/ω sin ωt       ω² = k (1/m1 + 1/m2)
 //! ```
 //!
@@ -11,6 +12,7 @@
 use std::f64::consts::TAU;
 
 use crate::reference;
+use crate::rotor::{BEARING, INERTIA, TORQUES};
 use crate::scenes::{
     CLUSTER_SOFTENING, DRAG, GRAVITY, HERTZ, PAIR_REST, PAIR_STIFFNESS, SOFTENING,
 };
@@ -37,6 +39,7 @@ pub fn last_second(scene: &str, bodies: &[Dot], seconds: u32) -> Vec<Places> {
         "spring" => at(swing),
         "projectile" => at(flight),
         "pair" => at(pair),
+        "rotor" => at(turn),
         "quadratic" => step(&reference::air),
         "kepler" => step(&|x, v| reference::stars(SOFTENING.to_f64(), x, v)),
         _ => step(&|x, v| reference::stars(CLUSTER_SOFTENING.to_f64(), x, v)),
@@ -64,6 +67,18 @@ pub fn flight(bodies: &[Dot], t: f64) -> Places {
         .iter()
         .map(|b| [0, 1].map(|i| along(b.x[i], b.v[i], wind[i])))
         .collect()
+}
+
+/// Each driven by its motor: turns since the start of the world, and nothing.
+pub fn turn(bodies: &[Dot], t: f64) -> Places {
+    let [drag, inertia] = [BEARING, INERTIA].map(|ratio| ratio.to_f64());
+    let lasting = -(-drag / inertia * t).exp_m1() * inertia / drag;
+    let driven = |(b, torque): (&Dot, f64)| {
+        let last = torque / (TAU * drag);
+        [b.x[0] + last * t + (b.v[0] - last) * lasting, 0.0]
+    };
+    let torques = TORQUES.map(|torque| torque.to_f64());
+    bodies.iter().zip(torques).map(driven).collect()
 }
 
 /// Two on a spring.

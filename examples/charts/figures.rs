@@ -16,6 +16,19 @@ pub const HEADER: [&str; 10] = [
     "error_m_95_percent",
     "failed_starts",
 ];
+/// The same with errors in metres or in turns.
+pub fn header(unit: &str) -> Vec<&'static str> {
+    let mut header = HEADER.to_vec();
+    if unit == "turns" {
+        header[6..9].copy_from_slice(&[
+            "error_turns_5_percent",
+            "error_turns_median",
+            "error_turns_95_percent",
+        ]);
+    }
+    header
+}
+
 /// Columns that name a row.
 pub const KEYS: usize = 4;
 
@@ -27,7 +40,7 @@ pub struct Row {
     pub rate: u32,
     /// Instructions per body and step, of each core.
     pub costs: [f64; 2],
-    /// Errors at 5, 50 and 95 % of the starts, m.
+    /// Errors at 5, 50 and 95 % of the starts, m or turns.
     pub errors: [f64; 3],
     /// Starts that left the range, or whose error is above the size of the scene.
     pub failed: usize,

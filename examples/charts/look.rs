@@ -77,8 +77,8 @@ impl Look {
 fn color(method: &str, forces: &str) -> RGBColor {
     match (method, forces) {
         (_, "Ballistic" | "ExactSpring" | "ExactPair") => RGBColor(125, 62, 10),
-        ("Verlet", forces) if forces.starts_with("Exact") => RGBColor(90, 60, 160),
-        (_, forces) if forces.starts_with("Exact") => RGBColor(170, 120, 0),
+        ("Verlet", forces) if is_exact_kick(forces) => RGBColor(90, 60, 160),
+        (_, forces) if is_exact_kick(forces) => RGBColor(170, 120, 0),
         ("Euler", _) => RGBColor(204, 121, 167),
         ("ConstantAcceleration", _) => RGBColor(86, 180, 233),
         ("SemiImplicitEuler", _) => RGBColor(230, 159, 0),
@@ -86,4 +86,8 @@ fn color(method: &str, forces: &str) -> RGBColor {
         ("Rk4", _) => RGBColor(213, 94, 0),
         _ => RGBColor(0, 158, 115),
     }
+}
+
+fn is_exact_kick(forces: &str) -> bool {
+    forces.starts_with("Exact") || forces == "SpinDrag"
 }

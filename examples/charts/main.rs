@@ -5,9 +5,9 @@
 //! |---|---|
 //! | `cli` | the command line |
 //! | `table` | rows of text, as CSV; what is different in two of them |
-//! | `scenes` | the scenes, with all methods and ways to state forces |
+//! | `scenes`, `rotor` | the scenes, with all methods and ways to state forces |
 //! | `starts`, `exact`, `reference` | where bodies start, and where they should be |
-//! | `run` | one scene with one kind of body |
+//! | `run`, `subject` | one scene with one kind of body; what it asks of a body |
 //! | `cost` | what a step costs on a core |
 //! | `work`, `figures` | the tables of work and precision, and a row of one |
 //! | `pareto`, `verdict` | what is worth its price, and whether the guide recommends it |
@@ -35,9 +35,11 @@ mod minute_table;
 mod panel;
 mod pareto;
 mod reference;
+mod rotor;
 mod run;
 mod scenes;
 mod starts;
+mod subject;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 mod table;
@@ -65,13 +67,14 @@ struct Chart {
 }
 
 /// All of them.
-const CHARTS: [Chart; 10] = [
+const CHARTS: [Chart; 11] = [
     work("work-spring"),
     work("work-projectile"),
     work("work-quadratic"),
     work("work-kepler"),
     work("work-cluster"),
     work("work-pair"),
+    work("work-rotor"),
     Chart {
         name: "minute",
         make: minute::make,

@@ -80,8 +80,8 @@ impl<'a> Panel<'a> {
             "instructions per body and simulated second, {}",
             self.core.name()
         );
-        self.frame
-            .draw(area, [&work, "rms error of the last second, m"])?;
+        let error = format!("rms error of the last second, {}", self.plan.unit());
+        self.frame.draw(area, [&work, &error])?;
         for line in self.lines.iter().filter(|line| !line.first) {
             let look = Look::new(line.name).with_color(GREY);
             look.path(area, &self.places(line), 1)?;
@@ -218,13 +218,13 @@ impl<'a> Panel<'a> {
                 failed.push(name[0]);
             }
         }
-        let size = self.plan.size;
+        let (size, unit) = (self.plan.size, self.plan.unit());
         let text = match failed.is_empty() {
-            true => format!("No start left its range, or was wrong by more than {size} m"),
+            true => format!("No start left its range, or was wrong by more than {size} {unit}"),
             false => {
                 let who = failed.join(", ");
                 format!(
-                    "\u{00d7} some start left its range, or is wrong by more than {size} m: {who}"
+                    "\u{00d7} some start left its range, or is wrong by more than {size} {unit}: {who}"
                 )
             }
         };

@@ -2,14 +2,16 @@
 //!
 //! The error of a start is the root mean square, over the looks of the last second and its bodies, of the
 //! distance from where the body should be. A single instant could be one at which the error passes zero,
-//! or a body turns and hides an error of phase.
+//! or a body turns and hides an error of phase. Of a rotor it is of the angle, in turns.
 
-use fixstep::{Body, Decay, Error, Force, Method, Point, Step, World};
+use fixstep::rigid::Centre;
+use fixstep::{Body, Decay, Error, Force, Method, Point, Rigid, Step, World};
 
 use crate::exact::{LOOKS, Places, last_second};
+use crate::rotor::Rotor;
 use crate::scenes::{ROOM, Room, Scene, Visitor};
 use crate::starts::{Dot, Plan};
-use crate::support::point;
+use crate::subject::Subject;
 
 /// One method with one way to state the forces, at one rate.
 pub struct Outcome {
@@ -17,7 +19,7 @@ pub struct Outcome {
     pub forces: &'static str,
     pub body: &'static str,
     pub rate: u32,
-    /// Of each start, m; infinite where a body left the range on its way.
+    /// Of each start, m or turns; infinite where a body left the range on its way.
     pub errors: Vec<f64>,
 }
 
@@ -39,29 +41,47 @@ impl Course {
     where
         B: Body<S: Decay> + From<Point<B::S>>,
     {
-        if self
-            .plan
-            .worlds
-            .iter()
-            .any(|world| world.len() != T::BODIES)
-        {
-            return Err(Error::Empty { field: "bodies" });
-        }
-        let mut runner = Runner {
-            course: self,
-            body,
-            rates,
-            found: Vec::new(),
-        };
+        let mut runner = self.runner(T::BODIES, body, rates, Subject::moving())?;
         T::show::<B, _>(&mut runner)?;
         Ok(runner.found)
     }
+
+    /// The same of the rotor, whose bodies turn.
+    pub fn run_rotor<C>(&self, body: &'static str, rates: &[u32]) -> Result<Vec<Outcome>, Error>
+    where
+        C: Centre<S: Decay> + From<Point<C::S>>,
+    {
+        let mut runner = self.runner(Rotor::BODIES, body, rates, Subject::<Rigid<C>>::turning())?;
+        Rotor::show::<C, _>(&mut runner)?;
+        Ok(runner.found)
+    }
+
+    fn runner<'a, B>(
+        &'a self,
+        bodies: usize,
+        body: &'static str,
+        rates: &'a [u32],
+        subject: Subject<B>,
+    ) -> Result<Runner<'a, B>, Error> {
+        let mut worlds = self.plan.worlds.iter();
+        if worlds.any(|world| world.len() != bodies) {
+            return Err(Error::Empty { field: "bodies" });
+        }
+        Ok(Runner {
+            course: self,
+            body,
+            rates,
+            subject,
+            found: Vec::new(),
+        })
+    }
 }
 
-struct Runner<'a> {
+struct Runner<'a, B> {
     course: &'a Course,
     body: &'static str,
     rates: &'a [u32],
+    subject: Subject<B>,
     found: Vec<Outcome>,
 }
 
@@ -73,7 +93,7 @@ type Fly<'a, B> = &'a dyn Fn(
     &mut dyn FnMut(&Room<B>) -> Option<u32>,
 ) -> Result<bool, Error>;
 
-impl<B: Body + From<Point<B::S>>> Visitor<B> for Runner<'_> {
+impl<B: Body> Visitor<B> for Runner<'_, B> {
     // All that knows method and forces is in the closure: what is around it is compiled once for a body.
     fn run<M, F>(
         &mut self,
@@ -88,7 +108,7 @@ impl<B: Body + From<Point<B::S>>> Visitor<B> for Runner<'_> {
     {
         let course = self.course;
         for &rate in self.rates {
-            let errors = course.errors::<B>(rate, &|world, step, legs| {
+            let errors = course.errors(rate, &self.subject, &|world, step, legs| {
                 let (mut stages, mut acting) = (new(), build(world)?);
                 while let Some(steps) = legs(world) {
                     for _ in 0..steps {
@@ -114,13 +134,15 @@ impl<B: Body + From<Point<B::S>>> Visitor<B> for Runner<'_> {
 
 impl Course {
     /// Of each start.
-    fn errors<B>(&self, rate: u32, fly: Fly<B>) -> Result<Vec<f64>, Error>
-    where
-        B: Body + From<Point<B::S>>,
-    {
+    fn errors<B: Body>(
+        &self,
+        rate: u32,
+        subject: &Subject<B>,
+        fly: Fly<B>,
+    ) -> Result<Vec<f64>, Error> {
         let mut errors = Vec::new();
         for (start, truth) in self.plan.worlds.iter().zip(&self.truth) {
-            let squares = self.squares(start, truth, rate, fly)?;
+            let squares = self.squares((start, truth), rate, subject, fly)?;
             match self.plan.alone {
                 true => errors.extend(squares.iter().map(|square| square.sqrt())),
                 false => {
@@ -133,19 +155,16 @@ impl Course {
     }
 
     /// Mean squares of each body's distances; infinite in a world that left the range.
-    fn squares<B>(
+    fn squares<B: Body>(
         &self,
-        start: &[Dot],
-        truth: &[Places],
+        (start, truth): (&[Dot], &[Places]),
         rate: u32,
+        subject: &Subject<B>,
         fly: Fly<B>,
-    ) -> Result<Vec<f64>, Error>
-    where
-        B: Body + From<Point<B::S>>,
-    {
+    ) -> Result<Vec<f64>, Error> {
         let mut world = World::new();
         for dot in start {
-            world.add(point::<B::S>(dot.x, dot.v, dot.mass).into())?;
+            world.add((subject.start)(dot)?)?;
         }
         let mut sums = vec![0.0; start.len()];
         let mut looks = 0;
@@ -157,8 +176,7 @@ impl Course {
             }
             let places = &truth[looks - 2];
             for ((sum, body), at) in sums.iter_mut().zip(world.bodies()).zip(places) {
-                let is = body.position().to_f64();
-                *sum += (is.x - at[0]).powi(2) + (is.y - at[1]).powi(2);
+                *sum += (subject.square)(body, at);
             }
             (looks <= truth.len()).then_some(rate / LOOKS)
         })?;

@@ -9,7 +9,7 @@ use fixstep::Ratio;
 
 use crate::scenes::{HERTZ, MASSES, PAIR_HERTZ};
 
-/// One body: m, m/s, kg.
+/// One body: m, m/s, kg. Of a rotor the first of a pair is an angle and a spin: turns, turns/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dot {
     pub x: [f64; 2],
@@ -23,7 +23,7 @@ pub struct Plan {
     pub scene: &'static str,
     /// Whole seconds.
     pub seconds: u32,
-    /// An error of that size says nothing any more of where a body is, m.
+    /// An error of that size says nothing any more of where a body is, m or turns.
     pub size: f64,
     /// Whether each body is a start of its own, or each world.
     pub alone: bool,
@@ -41,6 +41,7 @@ impl Plan {
             "projectile" | "quadratic" => (5, 10.0, true),
             "kepler" => (12, 1.0, false),
             "pair" => (10, 1.0, false),
+            "rotor" => (6, 0.5, true),
             _ => (6, 1.0, false),
         };
         let start = |i: usize| match scene {
@@ -48,6 +49,7 @@ impl Plan {
             "projectile" | "quadratic" => vec![thrown(i)],
             "kepler" => circling(i),
             "pair" => joined(i),
+            "rotor" => vec![spun(i)],
             _ => clustered(i),
         };
         let all: Vec<Vec<Dot>> = (0..STARTS).map(start).collect();
@@ -64,6 +66,14 @@ impl Plan {
         }
     }
 
+    /// What an error is counted in.
+    pub fn unit(&self) -> &'static str {
+        match self.scene {
+            "rotor" => "turns",
+            _ => "m",
+        }
+    }
+
     /// What a picture calls it.
     pub fn title(&self) -> String {
         let what = match self.scene {
@@ -72,6 +82,7 @@ impl Plan {
             "quadratic" => "throws into air, quadratic drag",
             "kepler" => "two stars, e = 0.1 to 0.6",
             "pair" => "two bodies on a spring",
+            "rotor" => "motors in bearings",
             _ => "five stars",
         };
         format!("{what}, {} s", self.seconds)
@@ -135,6 +146,11 @@ fn circling(i: usize) -> Vec<Dot> {
     );
     let minus = |[a, b]: [f64; 2]| [-a, -b];
     vec![dot(x, v, 1.0), dot(minus(x), minus(v), 1.0)]
+}
+
+/// At any angle, with -1 to 1 turns/s: the torques are those of the four places of a world.
+fn spun(i: usize) -> Dot {
+    dot([spread(1, i), 0.0], [2.0 * spread(0, i) - 1.0, 0.0], 1.0)
 }
 
 /// 2 m apart and at rest but for a swing of 0.5 m along x, with a drift of all.

@@ -16,6 +16,7 @@ pub fn recommended(scene: &str, core: Core) -> Vec<[&'static str; 3]> {
         "spring" => vec![["Verlet", "Anchor"], ["SemiImplicitEuler", "ExactSpring"]],
         "projectile" => vec![["Verlet", "ExactDrag"], ["SemiImplicitEuler", "Ballistic"]],
         "quadratic" => vec![["Verlet", "ExactQuadraticDrag"]],
+        "rotor" => vec![["Verlet", "SpinDrag"]],
         "pair" => vec![["Verlet", "Spring"], ["SemiImplicitEuler", "ExactPair"]],
         _ => vec![["Verlet", "Pull"], ["Pefrl", "Pull"]],
     };

@@ -8,7 +8,8 @@ use fixstep::{Carried, Error, Point};
 use indicatif::ProgressBar;
 
 use crate::cost::{Core, Costs};
-use crate::figures::{HEADER, KEYS, Row};
+use crate::figures::{KEYS, Row, header};
+use crate::rotor::Rotor;
 use crate::run::{Course, Outcome};
 use crate::scenes::{Cluster, Kepler, Pair, Projectile, QuadraticProjectile, Scene, Springs};
 use crate::starts::Plan;
@@ -37,7 +38,7 @@ pub fn make(name: &'static str, effort: Effort, progress: &ProgressBar) -> Resul
     Ok(Table {
         name,
         keys: KEYS,
-        header: HEADER.to_vec(),
+        header: header(course.plan.unit()),
         rows: rows.into_iter().map(row).collect::<Result<_, String>>()?,
     })
 }
@@ -48,31 +49,50 @@ pub fn outcomes(
     rates: &[u32],
     progress: &ProgressBar,
 ) -> Result<Vec<Outcome>, String> {
-    let found = match course.plan.scene {
-        Springs::NAME => bodies::<Springs>(course, rates, progress),
-        Projectile::NAME => bodies::<Projectile>(course, rates, progress),
-        QuadraticProjectile::NAME => bodies::<QuadraticProjectile>(course, rates, progress),
-        Kepler::NAME => bodies::<Kepler>(course, rates, progress),
-        Pair::NAME => bodies::<Pair>(course, rates, progress),
-        _ => bodies::<Cluster>(course, rates, progress),
+    let runs = match course.plan.scene {
+        Springs::NAME => points::<Springs>(),
+        Projectile::NAME => points::<Projectile>(),
+        QuadraticProjectile::NAME => points::<QuadraticProjectile>(),
+        Kepler::NAME => points::<Kepler>(),
+        Pair::NAME => points::<Pair>(),
+        Rotor::NAME => rotors(),
+        _ => points::<Cluster>(),
     };
+    let found = bodies(runs, course, rates, progress);
     found.map_err(|error| format!("{}: {error}", course.plan.scene))
 }
 
-/// A thread for each kind of body.
-fn bodies<T: Scene>(
-    course: &Course,
-    rates: &[u32],
-    progress: &ProgressBar,
-) -> Result<Vec<Outcome>, Error> {
-    type Run = fn(&Course, &'static str, &[u32]) -> Result<Vec<Outcome>, Error>;
-    let all: [(&'static str, Run); 5] = [
+/// All runs with a kind of body.
+type Run = fn(&Course, &'static str, &[u32]) -> Result<Vec<Outcome>, Error>;
+type Runs = [(&'static str, Run); 5];
+
+fn points<T: Scene>() -> Runs {
+    [
         ("f32", Course::run::<T, Point<f32>>),
         ("I16F16", Course::run::<T, Point<I16F16>>),
         ("I8F24", Course::run::<T, Point<I8F24>>),
         ("f32 carried", Course::run::<T, Carried<f32>>),
         ("I8F24 carried", Course::run::<T, Carried<I8F24>>),
-    ];
+    ]
+}
+
+fn rotors() -> Runs {
+    [
+        ("f32", Course::run_rotor::<Point<f32>>),
+        ("I16F16", Course::run_rotor::<Point<I16F16>>),
+        ("I8F24", Course::run_rotor::<Point<I8F24>>),
+        ("f32 carried", Course::run_rotor::<Carried<f32>>),
+        ("I8F24 carried", Course::run_rotor::<Carried<I8F24>>),
+    ]
+}
+
+/// A thread for each kind of body.
+fn bodies(
+    all: Runs,
+    course: &Course,
+    rates: &[u32],
+    progress: &ProgressBar,
+) -> Result<Vec<Outcome>, Error> {
     progress.inc_length(all.len() as u64);
     let mut found = Vec::new();
     thread::scope(|scope| {

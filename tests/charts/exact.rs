@@ -5,20 +5,22 @@ use std::f64::consts::TAU;
 
 use fixstep::Ratio;
 
-use crate::exact::{LOOKS, Places, flight, last_second, pair, swing};
+use crate::exact::{LOOKS, Places, flight, last_second, pair, swing, turn};
 use crate::reference::{Acceleration, air, path, path_in, stars};
+use crate::rotor::{BEARING, INERTIA, TORQUES};
 use crate::scenes::{
     CLUSTER_SOFTENING, DRAG, GRAVITY, MASSES, PAIR_REST, PAIR_STIFFNESS, SOFTENING, STIFFNESS,
 };
 use crate::starts::{Dot, Plan, STARTS};
 
-const SCENES: [&str; 6] = [
+const SCENES: [&str; 7] = [
     "spring",
     "projectile",
     "quadratic",
     "kepler",
     "cluster",
     "pair",
+    "rotor",
 ];
 /// Of places up to some ten metres, after a thousand intervals in `f64`: each rounds by 7e-15 m at 32 m,
 /// and the extrapolation by some ten times that. Far below the least error of a chart, 2e-8 m.
@@ -65,6 +67,15 @@ fn closed_forms_obey_their_laws() {
         let length = d[0].hypot(d[1]);
         let force = d.map(|d| k * (length - rest) * d / length);
         vec![force.map(|f| f / a), force.map(|f| -f / b)]
+    });
+    // I ω' = M - c ω, and a turn is 2π.
+    let [drag, inertia] = [BEARING, INERTIA].map(Ratio::to_f64);
+    let slowed = move |(torque, v): (Ratio, &[f64; 2])| {
+        let torque = torque.to_f64() - drag * TAU * v[0];
+        [torque / inertia / TAU, 0.0]
+    };
+    check("rotor", turn, &move |_, v| {
+        TORQUES.into_iter().zip(v).map(slowed).collect()
     });
 }
 

@@ -1,7 +1,8 @@
 """What there is to build and run."""
 from dataclasses import dataclass, field
 
-CHARTS = ["chart_cluster", "chart_kepler", "chart_pair", "chart_projectile", "chart_quadratic", "chart_spring"]
+CHARTS = ["chart_cluster", "chart_kepler", "chart_pair", "chart_projectile", "chart_quadratic", "chart_rotor",
+          "chart_spring"]
 # Images that name every verb.
 VERBS = ["everything", "exact", "turning"]
 RUNNING = ["price", "forces", "long", "rigid", *VERBS, *CHARTS]
