@@ -67,8 +67,8 @@
 //!
 //! # 6. What turns
 //!
-//! [`Rigid`](crate::Rigid) on a [`Point`](crate::Point), for 16 bytes more; on a [`Carried`](crate::Carried) where
-//! spins go on for hours. The README has the prices. [`SpinDrag`](crate::torque::SpinDrag) has no limit.
+//! [`Rigid`](crate::Rigid) on a [`Point`](crate::Point), for 16 bytes more (12 in `f32`); in fixed point on a
+//! [`Carried`](crate::Carried) where angles must be exact for days, or weak torques must add up. The README has the prices. [`SpinDrag`](crate::torque::SpinDrag) has no limit.
 //! A spring between points of bodies ([`Attached`](crate::torque::Attached)) that is stiff for their inertia limits the step as
 //! any explicit spring does: tied to a wall across an arm r, `h² k (1/m + r²/I) < 4`.
 //!

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! * [`World`] holds the bodies; [`Point`] is the compact one, 20 bytes in any 32-bit scalar.
-//! * A [`Rigid`] body is a point that turns, with an [`Angle`] that has no drift.
+//! * A [`Rigid`] body is a point that turns, with an [`Angle`] that wraps exactly.
 //! * A [`Force`](force) says what it does to a body; a tuple of forces is a force.
 //! * A [method](integrate) says when. [`Verlet`] is the one to start with.
 //! * [`guide`]: which method, which number type, which rate.

@@ -12,9 +12,8 @@ use crate::vec2::Vec2;
 use crate::world::World;
 
 impl<B: Body, const N: usize> World<B, N> {
-    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen; bodies that no force moves have none,
-    /// nor energy. That of
-    /// [`Carried`](crate::Carried) bodies with their remainders is the sum of
+    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen; bodies that no force moves have none, and
+    /// no energy. That of [`Carried`](crate::Carried) bodies with their remainders is the sum of
     /// [`Carried::momentum`](crate::Carried::momentum).
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
@@ -54,7 +53,7 @@ impl<B: Body, const N: usize> World<B, N> {
         forces.potential(self.ids(), self.bodies())
     }
 
-    /// FNV-1a over the tick, the ids and the exact bits of every position and velocity: equal
+    /// FNV-1a over the tick, the ids and the exact bits of every position, velocity, angle and spin: equal
     /// states have equal hashes on every target. Masses, which no step changes, are left out.
     #[must_use]
     pub fn state_hash(&self) -> u64 {

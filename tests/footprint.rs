@@ -4,8 +4,8 @@ use std::mem::size_of;
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
 use fixstep::{
-    AllBodies, BodyId, Carried, ConstantAcceleration, DyadicStep, Euler, PerBody, Point, Scalar,
-    SemiImplicitEuler, Time, Vec2, Verlet, World,
+    AllBodies, BodyId, Carried, ConstantAcceleration, DyadicStep, Euler, PerBody, Point, Rigid,
+    Scalar, SemiImplicitEuler, Time, Vec2, Verlet, World,
 };
 
 fn world_fits<S: Scalar, const N: usize>() {
@@ -52,6 +52,15 @@ fn a_body_that_carries_takes_32_bytes_in_any_32_bit_scalar() {
     assert_eq!(size_of::<Carried<I16F16>>(), 32);
     assert_eq!(size_of::<Carried<I20F12>>(), 32);
     assert_eq!(size_of::<Carried<f64>>(), 64);
+}
+
+#[test]
+fn a_body_that_turns_takes_36_bytes_in_32_bit_fixed_point() {
+    assert_eq!(size_of::<Rigid<Point<I16F16>>>(), 36);
+    assert_eq!(size_of::<Rigid<Point<I8F24>>>(), 36);
+    assert_eq!(size_of::<Rigid<Point<f32>>>(), 32);
+    assert_eq!(size_of::<Rigid<Carried<I16F16>>>(), 56);
+    assert_eq!(size_of::<Rigid<Carried<f32>>>(), 56);
 }
 
 #[test]

@@ -53,7 +53,7 @@ macro_rules! fixed_rounds {
 
             const SUM_OF_PRODUCTS: f64 = 1.0 / (1_u64 << 30) as f64;
             const INVERSE: f64 = 1.0 / (1_u64 << 26) as f64;
-            const CIRCLE: f64 = 1.5 / (1_u64 << 30) as f64;
+            const CIRCLE: f64 = 1.0 / (1_u64 << 30) as f64;
         })*
     };
 }
@@ -74,7 +74,7 @@ macro_rules! float_rounds {
 }
 
 fixed_rounds!(I16F16, I8F24);
-float_rounds!(f32, 1.5 / (1_u64 << 30) as f64, 1.0);
+float_rounds!(f32, 1.0 / (1_u64 << 30) as f64, 1.0);
 float_rounds!(f64, 0.0, 2.0);
 
 /// A centre of mass in such a number type.

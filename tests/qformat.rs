@@ -7,6 +7,8 @@ mod support;
 
 #[path = "../examples/qformat/advise.rs"]
 mod advise;
+#[path = "../examples/qformat/angles.rs"]
+mod angles;
 #[path = "../examples/qformat/described.rs"]
 mod described;
 #[path = "qformat/drawn.rs"]
@@ -29,6 +31,9 @@ mod real;
 mod recorded;
 #[path = "../examples/qformat/report.rs"]
 mod report;
+#[allow(dead_code)] // the example has a command line
+#[path = "../examples/qformat/rotor.rs"]
+mod rotor;
 #[allow(dead_code)] // what is kept is for the drift example
 #[path = "../examples/drift/scene.rs"]
 mod scene;
@@ -36,6 +41,8 @@ mod scene;
 mod scenes;
 #[path = "../examples/qformat/spread.rs"]
 mod spread;
+#[path = "qformat/turning.rs"]
+mod turning;
 
 use std::sync::OnceLock;
 

@@ -6,6 +6,7 @@ use fixstep::{Ratio, Step};
 
 use crate::advise::{Question, USUAL};
 use crate::flight::{Plan, Scheme};
+use crate::rotor;
 use crate::scene::{self, Compare, Scene};
 
 /// Which fixed-point type fits a scene, and how wrong it will be.
@@ -13,9 +14,9 @@ use crate::scene::{self, Compare, Scene};
 #[command(name = "qformat", max_term_width = 100)]
 pub struct Options {
     /// A scene of the drift example, or how its name begins: fall, friction, projectile, spring, pair,
-    /// cruise, far
+    /// cruise, far; or rotor, of bodies that turn
     #[arg(long, value_name = "NAME", default_value = "projectile", value_parser = named)]
-    pub scene: &'static Scene,
+    pub scene: Asked,
 
     /// The error that can be borne, m
     #[arg(long, value_name = "METRES", default_value = "0.001", value_parser = positive)]
@@ -45,16 +46,25 @@ pub struct Options {
 impl Options {
     /// What they ask about the scene.
     pub fn question(&self) -> Question {
-        let steps = self.scene.steps(self.hz, self.seconds);
+        let (steps, circle) = match self.scene {
+            Asked::Drift(scene) => {
+                let circle = match scene.compare {
+                    Compare::OnCircle(metres) => Some(metres),
+                    _ => None,
+                };
+                (scene.steps(self.hz, self.seconds), circle)
+            }
+            Asked::Rotor => {
+                let seconds = self.seconds.unwrap_or(rotor::SECONDS);
+                ((seconds * self.hz.to_f64()).round() as u64, None)
+            }
+        };
         Question {
             plan: Plan {
                 method: self.method,
                 rate: self.hz,
                 seconds: steps as f64 / self.hz.to_f64(),
-                circle: match self.scene.compare {
-                    Compare::OnCircle(metres) => Some(metres),
-                    _ => None,
-                },
+                circle,
             },
             bears: self.error,
             headroom: self.headroom,
@@ -63,12 +73,24 @@ impl Options {
     }
 }
 
-fn named(text: &str) -> Result<&'static Scene, String> {
+/// A scene that can be asked about.
+#[derive(Clone, Copy, Debug)]
+pub enum Asked {
+    Drift(&'static Scene),
+    /// Of bodies that turn.
+    Rotor,
+}
+
+fn named(text: &str) -> Result<Asked, String> {
+    if !text.is_empty() && rotor::NAME.starts_with(text) {
+        return Ok(Asked::Rotor);
+    }
     let mut all = scene::ALL.iter();
     all.find(|scene| !text.is_empty() && scene.name.starts_with(text))
+        .map(Asked::Drift)
         .ok_or_else(|| {
             let names: Vec<&str> = scene::ALL.iter().map(|scene| scene.name).collect();
-            format!("not one of {}", names.join(", "))
+            format!("not one of {}, {}", names.join(", "), rotor::NAME)
         })
 }
 

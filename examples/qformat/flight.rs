@@ -1,6 +1,7 @@
 //! One run of a scene, in whatever number type its bodies have.
 
 use std::cmp::Ordering;
+use std::f64::consts::TAU;
 
 use clap::ValueEnum;
 use fixstep::{
@@ -32,9 +33,27 @@ pub struct Plan {
     pub circle: Option<u32>,
 }
 
-/// The positions of all bodies after each step of the last second: one instant would be luck, since two
+/// Where a body is: m, and turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    at: Vec2<f64>,
+    angle: f64,
+}
+
+/// The places of all bodies after each step of the last second: one instant would be luck, since two
 /// motions that swing apart meet again twice a period.
-pub type Track = Vec<Vec2<f64>>;
+pub type Track = Vec<Place>;
+
+/// A body whose flight is looked at.
+pub trait Seen: Body {
+    /// Its angle, turns; none if it is a point.
+    fn turns(&self) -> f64 {
+        0.0
+    }
+}
+
+/// An angle that is wrong counts as the arc at an arm of 1 m.
+pub const ARM: f64 = 1.0;
 
 impl Plan {
     pub fn steps(&self) -> u64 {
@@ -42,7 +61,7 @@ impl Plan {
     }
 
     /// Flies a world under its forces.
-    pub fn fly<B: Body, F: Force<B>, const N: usize>(
+    pub fn fly<B: Seen, F: Force<B>, const N: usize>(
         &self,
         world: &mut World<B, N>,
         forces: &mut F,
@@ -54,7 +73,7 @@ impl Plan {
         }
     }
 
-    fn fly_by<B: Body, F: Force<B>, const N: usize>(
+    fn fly_by<B: Seen, F: Force<B>, const N: usize>(
         &self,
         method: &mut impl Method<B, N>,
         world: &mut World<B, N>,
@@ -74,20 +93,26 @@ impl Plan {
                 wrap(world, around);
             }
             if world.tick() > last {
-                track.extend(world.bodies().iter().map(|body| body.position().to_f64()));
+                track.extend(world.bodies().iter().map(|body| Place {
+                    at: body.position().to_f64(),
+                    angle: body.turns(),
+                }));
             }
         }
         Ok(track)
     }
 
-    /// The largest distance between the bodies of two runs; infinite where one is no number.
+    /// The largest distance between the bodies of two runs, or arc between their angles; infinite where one
+    /// is no number.
     pub fn apart(&self, a: &Track, b: &Track) -> f64 {
         let circle = self.circle.map(f64::from);
-        let distance = |(a, b): (&Vec2<f64>, &Vec2<f64>)| {
-            let around = circle.map_or(0.0, |c| c * ((a.x - b.x) / c).round());
-            (a.x - b.x - around).hypot(a.y - b.y)
+        let distance = |(a, b): (&Place, &Place)| {
+            let (turned, d) = (a.angle - b.angle, a.at - b.at);
+            let around = circle.map_or(0.0, |c| c * (d.x / c).round());
+            let arc = TAU * ARM * (turned - turned.round()).abs();
+            [(d.x - around).hypot(d.y), arc]
         };
-        let all = a.iter().zip(b).map(distance);
+        let all = a.iter().zip(b).flat_map(distance);
         all.fold(0.0, |most, d| match d.partial_cmp(&most) {
             Some(Ordering::Greater) => d,
             Some(_) => most,

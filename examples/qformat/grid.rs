@@ -83,7 +83,19 @@ pub fn held_wide(sum: f64) -> f64 {
 
 /// A product, rounded.
 pub fn product(value: f64) -> f64 {
-    let Grid { unit, phase, .. } = GRID.get();
+    in_units(value, GRID.get().unit)
+}
+
+/// What has that many bits behind the point in every type.
+pub fn fine(value: f64, fraction: u32) -> f64 {
+    match GRID.get().unit {
+        0.0 => value,
+        _ => in_units(value, (-f64::from(fraction)).exp2()),
+    }
+}
+
+fn in_units(value: f64, unit: f64) -> f64 {
+    let phase = GRID.get().phase;
     if unit == 0.0 {
         return value;
     }

@@ -22,16 +22,18 @@
 //! print!("{}", report("my scene", &advise(&scene, &question)?));
 //! ```
 //!
-//! `Point<I16F16>` is a body that `scene` takes too: the game flies what was judged. Bodies that carry
-//! remainders are more accurate than what is said here.
+//! `Point<I16F16>` is a body that `scene` takes too: the game flies what was judged. A scene of bodies that
+//! turn is one for any `B: Rotating + From<Rigid<Point<B::S>>>`, and an angle that is wrong counts as the arc at
+//! 1 m. Bodies that carry remainders are more accurate than what is said here.
 //!
 //! | module | idea |
 //! |---|---|
 //! | `cli` | the command line |
 //! | `described` | a scene as data; those of the drift example |
+//! | `rotor` | a scene of bodies that turn |
 //! | `flight` | one run, in any number type |
 //! | `notes` | what a run writes down |
-//! | `recorded`, `noted` | the number and the body that do |
+//! | `recorded`, `angles`, `noted` | the number and the body that do |
 //! | `grid` | what rounding does, as a theory |
 //! | `flown` | what types make of a scene |
 //! | `spread` | whether an error can be told at all |
@@ -39,6 +41,7 @@
 //! | `report` | the answer on one screen |
 
 mod advise;
+mod angles;
 mod cli;
 mod described;
 mod flight;
@@ -48,6 +51,7 @@ mod noted;
 mod notes;
 mod recorded;
 mod report;
+mod rotor;
 #[path = "../drift/scene.rs"]
 #[allow(dead_code)] // what is kept is for the drift example
 mod scene;
@@ -59,10 +63,11 @@ use std::process::ExitCode;
 use clap::Parser;
 use fixstep::{Error, World};
 
-use cli::Options;
+use cli::{Asked, Options};
 use described::{Described, Forces, ROOM};
 use noted::Noted;
 use recorded::Recorded;
+use rotor::ROTOR;
 
 fn main() -> ExitCode {
     let options = Options::parse();
@@ -80,10 +85,20 @@ fn main() -> ExitCode {
 }
 
 fn answer(options: &Options) -> Result<String, String> {
-    let described = Described::of_drift(options.scene, 0, options.distance);
-    let build = |world: &mut World<Noted, ROOM>| -> Result<Forces<Recorded>, Error> {
-        described.build(world, Noted::from)
-    };
-    let advice = advise::advise(&build, &options.question())?;
-    Ok(report::report(options.scene.title, &advice))
+    let question = options.question();
+    match options.scene {
+        Asked::Drift(scene) => {
+            let described = Described::of_drift(scene, 0, options.distance);
+            let build = |world: &mut World<Noted, ROOM>| -> Result<Forces<Recorded>, Error> {
+                described.build(world, Noted::from)
+            };
+            let advice = advise::advise(&build, &question)?;
+            Ok(report::report(scene.title, &advice))
+        }
+        Asked::Rotor => {
+            let build = |world: &mut World<Noted, ROOM>| ROTOR.build(world, Noted::from);
+            let advice = advise::advise(&build, &question)?;
+            Ok(report::report(rotor::TITLE, &advice))
+        }
+    }
 }

@@ -17,6 +17,14 @@ pub enum Role {
     Impulse,
     /// A change of velocity by one force in one step, m/s.
     Kick,
+    /// A spin, turns/s.
+    Spin,
+    /// What a force hands to a body that turns as a number: a torque, N m, or an angular impulse.
+    Torque,
+    /// A change of spin by one force in one step, turns/s.
+    Twist,
+    /// What one force in one step does to a spin, kg m²/s: no number of the type, but what others make.
+    Moment,
     /// A length or a speed made of two parts.
     Length,
     /// What is left of one number less another.
@@ -35,11 +43,15 @@ pub enum Role {
 
 impl Role {
     /// All, in the order in which they are blamed when several are as large.
-    pub const ALL: [Role; 11] = [
+    pub const ALL: [Role; 15] = [
         Role::Position,
         Role::Velocity,
         Role::Impulse,
         Role::Kick,
+        Role::Spin,
+        Role::Torque,
+        Role::Twist,
+        Role::Moment,
         Role::Length,
         Role::Difference,
         Role::Sum,
@@ -56,6 +68,10 @@ impl Role {
             Role::Velocity => "velocity",
             Role::Impulse => "impulse",
             Role::Kick => "kick",
+            Role::Spin => "spin",
+            Role::Torque => "torque",
+            Role::Twist => "change of spin",
+            Role::Moment => "angular impulse",
             Role::Length => "length",
             Role::Difference => "difference",
             Role::Sum => "sum",
@@ -132,7 +148,7 @@ impl Notes {
     /// products ends at `2^62` square units, the square of the type's own end.
     pub fn reach(&self, role: Role) -> f64 {
         match role {
-            Role::Coefficient => 0.0,
+            Role::Coefficient | Role::Moment => 0.0,
             Role::Square => self.of(role).largest.sqrt(),
             _ => self.of(role).largest,
         }
@@ -146,7 +162,7 @@ impl Notes {
     /// The same of what can never be held back: state, which stays at the end of the range, and
     /// constants. Whatever else saturates may do no harm, as the closing speed of an undamped spring.
     pub fn widest_held(&self) -> (Role, f64) {
-        self.widest_of(&[Role::Position, Role::Velocity, Role::Constant])
+        self.widest_of(&[Role::Position, Role::Velocity, Role::Spin, Role::Constant])
     }
 
     fn widest_of(&self, roles: &[Role]) -> (Role, f64) {

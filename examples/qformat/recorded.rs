@@ -16,11 +16,11 @@ pub struct Recorded(pub f64);
 
 /// A coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rate(f64);
+pub struct Rate(pub f64);
 
 /// One over a mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inverse(f64);
+pub struct Inverse(pub f64);
 
 /// A length of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,8 @@ fn as_a(role: Role, value: f64) -> Recorded {
     Recorded(grid::held(value))
 }
 
-fn product(value: f64) -> Recorded {
+/// Rounded, and noted as a product.
+pub fn product(value: f64) -> Recorded {
     as_a(Role::Product, grid::product(value))
 }
 

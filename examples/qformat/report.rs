@@ -31,6 +31,10 @@ pub fn report(title: &str, advice: &Advice) -> String {
         ("velocity, m/s", Role::Velocity, 1.0),
         ("acceleration", Role::Kick, rate),
         ("impulse, kg m/s", Role::Impulse, 1.0),
+        ("spin, turns/s", Role::Spin, 1.0),
+        ("spin-up", Role::Twist, rate),
+        ("torque, N m", Role::Moment, rate),
+        ("impulse, kg m²/s", Role::Moment, 1.0),
         ("squared length", Role::Square, 1.0),
         ("coefficient", Role::Coefficient, 1.0),
     ];

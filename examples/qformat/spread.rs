@@ -6,9 +6,11 @@
 //! decides the end, and no median speaks for a single run. From [`TOO_FAR`] on no error is stated. Of
 //! the 100 scenes drawn in the tests six are such scenes; that many are allowed to be ten.
 
+use std::f64::consts::TAU;
+
 use fixstep::{Body, Error, Force, Step, Vec2, World};
 
-use crate::flight::{Plan, Track};
+use crate::flight::{ARM, Plan, Track};
 use crate::noted::Noted;
 use crate::recorded::Recorded;
 
@@ -21,20 +23,25 @@ pub fn spread<F: Force<Noted>, const N: usize>(
     plan: &Plan,
     change: f64,
 ) -> Result<f64, Error> {
-    let fly = |place: usize, dv: Vec2<f64>| -> Result<(Track, usize), Error> {
+    let fly = |place: usize, [x, y, spin]: [f64; 3]| -> Result<(Track, Vec<bool>), Error> {
         let mut world = World::new();
         let mut forces = build(&mut world)?;
         if let Some((_, body)) = world.iter_mut().nth(place) {
-            body.kick(dv.map(Recorded));
+            body.kick(Vec2::new(x, y).map(Recorded));
+            body.twist(Recorded(spin));
         }
+        let turns = world.bodies().iter().map(Noted::can_turn).collect();
         let track = plan.fly(&mut world, &mut forces, &Step::hz(plan.rate)?)?;
-        Ok((track, world.len()))
+        Ok((track, turns))
     };
-    let (unchanged, bodies) = fly(0, Vec2::new(0.0, 0.0))?;
+    let (unchanged, turns) = fly(0, [0.0; 3])?;
     let mut most = 0.0_f64;
-    for place in 0..bodies {
-        for dv in [Vec2::new(change, 0.0), Vec2::new(0.0, change)] {
-            let (changed, _) = fly(place, dv)?;
+    // At the arm a spin is as fast as the speeds.
+    let spin = change / (TAU * ARM);
+    let changes = [[change, 0.0, 0.0], [0.0, change, 0.0], [0.0, 0.0, spin]];
+    for (place, turns) in turns.into_iter().enumerate() {
+        for by in changes.into_iter().take(2 + usize::from(turns)) {
+            let (changed, _) = fly(place, by)?;
             most = most.max(plan.apart(&changed, &unchanged));
         }
     }

@@ -7,7 +7,7 @@ use crate::scalar::{Angular, Turns};
 use crate::vec2::Vec2;
 
 /// An angle: a fraction of a turn that uses all bits of an integer, `2^-32` turns beside a 32-bit scalar.
-/// It wraps where a turn does, exactly, and has no drift, however far a body has turned.
+/// It wraps where a turn does, exactly, and is as fine after any number of turns.
 ///
 /// Positive angles lead from x to y: with x to the right and y up, against the clock.
 ///
@@ -107,8 +107,9 @@ impl<S: Angular> core::ops::Sub for Angle<S> {
     }
 }
 
-/// The cosine and the sine of an angle: turns vectors. Beside a 32-bit scalar each is off by at most a unit
-/// of `2^-30`. Lengths change by as little, and for ever: no rotation is made from another.
+/// The cosine and the sine of an angle: turns vectors. Each is off by at most a unit of
+/// `2^-30` in 32-bit fixed point, by 33 of them, half a unit of its own near 1, in `f32`. Lengths change by as little, and
+/// for ever: no rotation is made from another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<S: Angular>([S::Unit; 2]);
 

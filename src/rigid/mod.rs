@@ -121,7 +121,7 @@ impl<C: Centre> Rigid<C> {
     /// A body with `inertia`, its moment of inertia about `centre`, kg m²; at angle zero and without spin.
     ///
     /// Refuses an inertia that is not positive, or whose inverse cannot be held (32-bit fixed point: below
-    /// 1.5e-10 kg m²).
+    /// 1.5e-10 or above 6.8e8 kg m²; floats: above 7.3e17).
     #[inline]
     pub fn new(centre: C, inertia: impl Into<Ratio>) -> Result<Rigid<C>, Error> {
         let (field, value) = ("inertia", inertia.into());
@@ -151,7 +151,7 @@ impl<C: Centre> Rigid<C> {
         Rigid::new(centre.into(), properties.inertia())
     }
 
-    /// A body that forces move but nothing turns.
+    /// A body that forces move but nothing turns: its spin stays what it is given, none at first.
     #[inline]
     #[must_use]
     pub fn locked(centre: C) -> Rigid<C> {
@@ -253,6 +253,17 @@ impl<C: Centre> Rigid<C> {
         finite("spin", Vec2::new(spin, C::S::ZERO))?;
         self.rotor.set_spin(spin);
         Ok(())
+    }
+}
+
+impl<S: CarryAngular> Rigid<Carried<S>> {
+    /// Momentum with its remainder, kg m/s, as [`Carried::momentum`]; none of a body that no force moves.
+    #[must_use]
+    pub fn momentum(&self) -> Vec2<f64> {
+        match self.is_driven() {
+            true => Vec2::ZERO,
+            false => self.centre.momentum(),
+        }
     }
 }
 

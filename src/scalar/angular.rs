@@ -39,7 +39,7 @@ pub trait Angular: Scalar {
     fn part_of(angle: Self::Turns, part: Self::Coef) -> Self::Turns;
 
     /// Cosine and sine. Odd and even to the bit, as are their reflections at an eighth of a turn; off by
-    /// at most a unit of `2^-30` in 32 bits.
+    /// at most a unit of `2^-30` in 32-bit fixed point, in `f32` by its rounding too.
     #[must_use]
     fn circle(angle: Self::Turns) -> [Self::Unit; 2];
 

@@ -2,7 +2,8 @@
 
 use fixstep::torque::{Attached, SpinDrag, Torque};
 use fixstep::{
-    Angle, BodyId, Decay, ExactDrag, Force, GravityY, LinearDrag, Pairs, Spring, Step, World,
+    Angle, BodyId, Decay, DyadicStep, ExactDrag, Force, GravityY, LinearDrag, Pairs, Spring, Step,
+    TimeStep, World,
 };
 
 use super::*;
@@ -77,8 +78,19 @@ fn mirrored<C: Centre>(body: &Rigid<C>) -> Seen<C> {
     )
 }
 
+/// A blow on the first body, off its centre.
+fn hit<C: Middle>(world: &mut World<Rigid<C>, 3>, mirror: Mirror) {
+    let (arm, impulse) = (mirror.vector(0.37, 0.81), mirror.vector(-0.53, 0.29));
+    let first = world.ids()[0];
+    world.get_mut(first).unwrap().push_off(arm, impulse);
+}
+
 fn check<C: Middle>(what: &str) {
-    let step = Step::hz(60).unwrap();
+    check_with::<C>(what, &Step::hz(60).unwrap());
+    check_with::<C>(what, &DyadicStep::<_, 1, 6>::new().unwrap());
+}
+
+fn check_with<C: Middle>(what: &str, step: &impl TimeStep<C::S>) {
     for scheme in ALL_SCHEMES {
         let name = format!("{} {what} {scheme:?}", C::S::name());
         let [mut plain, mut other] = [false, true].map(|side| scene::<C>(Mirror(side)));
@@ -87,8 +99,12 @@ fn check<C: Middle>(what: &str) {
         let [mut here, mut there] = [scheme.method(), scheme.method()];
         let mut turns = 0.0;
         for tick in 0..STEPS {
-            plain.step(&mut here, &mut left, &step);
-            other.step(&mut there, &mut right, &step);
+            if tick % 97 == 0 {
+                hit(&mut plain, Mirror(false));
+                hit(&mut other, Mirror(true));
+            }
+            plain.step(&mut here, &mut left, step);
+            other.step(&mut there, &mut right, step);
             for (a, b) in plain.bodies().iter().zip(other.bodies()) {
                 let seen = (b.position(), b.velocity(), b.angle(), b.spin());
                 assert_eq!(mirrored(a), seen, "{name}, tick {tick}");

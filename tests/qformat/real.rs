@@ -5,7 +5,7 @@ use fixstep::fixed::types::extra::{U20, U21, U22, U23, U24, U25, U26, U27, U28, 
 use fixstep::{Error, Point, Scalar, Step, TimeStep, Watched, World};
 
 use crate::described::{Described, ROOM};
-use crate::flight::{Plan, Track};
+use crate::flight::{Plan, Seen, Track};
 
 /// What a flight shows.
 pub struct Flown {
@@ -13,6 +13,8 @@ pub struct Flown {
     /// Whether any sum has reached the end of the range, ever.
     pub marked: bool,
 }
+
+impl<S: Scalar> Seen for Watched<Point<S>> {}
 
 pub fn fly<S: Scalar>(
     scene: &Described,

@@ -25,7 +25,10 @@ fn outline<S: Rational>(teeth: usize, tip: f64, foot: f64) -> Vec<Vec2<S>> {
 // put the centre of the teeth beside that of the bore, by less than a unit of the type: the gear
 // turns about one between, and has less inertia by no more than that, squared, over that of 6 cm.
 fn has_teeth_and_a_bore<S: Format + Rational>(teeth: usize) {
-    let bound = 16.0 * 2.0_f64.powi(-41);
+    let bound = match size_of::<S>() {
+        4 => 96.0 * 2.0_f64.powi(-53),
+        _ => 16.0 * 2.0_f64.powi(-41),
+    };
     let (corners, steel) = (outline::<S>(teeth, 0.1, 0.08), dec!(78));
     let within: Vec<_> = corners
         .iter()

@@ -103,6 +103,8 @@ class Table:
             self.forbidden[image_key(target, image)] = []
             return {"panic_symbols": "0", "f64_symbols": "-"}
         turning = [] if image.name in TURNING else found.turning
+        if image.name == "rigid" and not found.turning:
+            turning = ["nothing that turns, by the pattern"]
         self.forbidden[image_key(target, image)] = [*found.forbidden, *turning]
         return {"panic_symbols": str(len(found.panics)), "f64_symbols": str(len(found.doubles))}
 

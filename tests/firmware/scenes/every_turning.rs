@@ -4,10 +4,11 @@
 use core::hint::black_box;
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::rigid::Centre;
+use fixstep::rigid::{Centre, SavedRotor};
 use fixstep::scalar::Rational;
 use fixstep::shape::{capsule, convex_polygon, disc, polygon, rectangle, ring};
-use fixstep::torque::{Torque, Wrench};
+use fixstep::snapshot::{HEADER, Saved};
+use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::{
     AllPairs, Anchor, Angle, Ballistic, Between, Carried, Decay, Error, ExactPair, ExactSpring,
     MassProperties, Pairs, PerBody, Point, PointMass, Pull, Ratio, Rigid, Rotating, Scalar,
@@ -56,7 +57,7 @@ fn properties<S: Rational>() -> Result<MassProperties<S>, Error> {
 
 fn of<C>() -> Result<u64, Error>
 where
-    C: Centre<S: Decay + Rational> + From<Point<C::S>>,
+    C: Centre<S: Decay + Rational, Rotor: SavedRotor> + Saved,
 {
     let mut world = World::<Rigid<C>, 4>::new();
     let whole = properties::<C::S>()?;
@@ -82,6 +83,8 @@ where
             Vec2::new(torque, C::S::ZERO),
         )
     });
+    let (spring, at) = (Spring::new(1, 10, dec!(0.2))?, [vec2(1, 0)?, Vec2::ZERO]);
+    let attached = Attached { spring, at };
     let mut forces = (
         (
             Anchor::new(c, Vec2::ZERO, 20, 0)?,
@@ -94,9 +97,14 @@ where
             wrench,
             Torque { body: a, torque },
         ),
-        Ballistic::new(vec2(0, -5)?, dec!(0.1))?,
+        (
+            Ballistic::new(vec2(0, -5)?, dec!(0.1))?,
+            SpinDrag::new(black_box(dec!(0.1)))?,
+        ),
+        Pairs::new(attached, [[a, b]]),
     );
     let before = world.clone();
+    let mut world = saved(&world);
     for _ in 0..50 {
         world.step(&mut SemiImplicitEuler, &mut forces, &step);
         world.step(&mut Verlet, &mut forces, &step);
@@ -111,6 +119,14 @@ where
         .fold(0, |sum, body| sum * 3 + body.kind() as u64);
     let bits = drawn.map_or(0, |angle| angle.rotation().cos().bits());
     Ok(world.state_hash() ^ about ^ kinds ^ bits)
+}
+
+/// Written and read.
+fn saved<B: Saved>(world: &World<B, 4>) -> World<B, 4> {
+    let mut bytes = [0; HEADER + 64 * 4];
+    let back = world.save(black_box(&mut bytes));
+    back.and_then(|length| World::load(bytes.get(..length).unwrap_or_default()))
+        .unwrap_or_default()
 }
 
 /// What a game does to a body between steps.
