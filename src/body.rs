@@ -59,7 +59,7 @@ pub trait Body: Copy + 'static {
         self.kick(-self.velocity().map(|v| v.lost(loss)));
     }
 
-    /// `v = 0`, with all that was left over.
+    /// `v = 0`, and no spin, with all that was left over: of any body, driven or not.
     #[inline]
     fn halt(&mut self) {
         self.kick(-self.velocity());
@@ -125,6 +125,13 @@ pub trait Body: Copy + 'static {
     #[inline]
     fn twist(&mut self, change: Self::Spin) {
         let _ = change;
+    }
+
+    /// Its spin changes by `factor * spin`, for a product that is not rounded yet: what [`kick_by`](Body::kick_by) is to
+    /// velocities.
+    #[inline]
+    fn twist_part(&mut self, spin: Self::Spin, factor: <Self::S as Scalar>::Coef) {
+        self.twist(spin.part(factor));
     }
 
     /// It turns by `h` times its spin: the other half of [`drift`](Body::drift), which does it too. For
@@ -197,7 +204,7 @@ pub trait Body: Copy + 'static {
     note = "a point in fixed point can: `Watched<Point<I16F16>>`"
 )]
 pub trait Turn: Body {
-    /// `v = -v`.
+    /// `v = -v`, and its spin as well.
     fn turn(&mut self);
 }
 

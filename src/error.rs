@@ -49,7 +49,6 @@
 //! | an inertia whose inverse the scalar cannot hold | [`Rigid::new`](crate::Rigid::new) | `OutOfRange` | no body was made |
 //! | a spin outside of the scalar | [`Rigid::with_spin`](crate::Rigid::with_spin) | `OutOfRange` | no body was made |
 //! | NaN or infinity as state of a body that turns | [`Rigid`](crate::Rigid): `kinematic`, `fixed`, `teleport`, `set_velocity`, `set_spin` | `NotFinite` | the state it had |
-//! | degrees that 62 bits cannot hold as turns | [`Angle::degrees`](crate::Angle::degrees) | `OutOfRange` | no angle was made |
 //! | a drag against spin below zero | [`SpinDrag::new`](crate::torque::SpinDrag::new) | `Negative` | no force was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |

@@ -61,6 +61,9 @@ impl Swing {
 
     /// Energy of a displacement, J.
     pub(crate) fn potential(self, z: Vec2<f64>, inv_mass: f64) -> f64 {
+        if inv_mass == 0.0 {
+            return 0.0;
+        }
         let omega = core::f64::consts::TAU * self.hertz.to_f64();
         0.5 * omega * omega * z.dot(z) / inv_mass
     }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | sums that round: `f32`, `f64` | does not compile |
 //! | forces that read velocities: drags, functions without [`PositionOnly`](crate::PositionOnly) | does not compile |
-//! | a [`Spring`](crate::Spring) or [`Anchor`](crate::Anchor) with damping | [`RewindError::Damped`] |
+//! | a [`Spring`](crate::Spring), [`Attached`](crate::torque::Attached) or not, or [`Anchor`](crate::Anchor) with damping | [`RewindError::Damped`] |
 //! | methods that are no mirror image of one: [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration), [`Rk4`](crate::Rk4) | does not compile |
 //! | bodies whose remainders a turn would not lead back: [`Carried`](crate::Carried) | does not compile |
 //! | saturation, at any time | a plain point does not compile, [`Watched`] says [`RewindError::Saturated`] |

@@ -10,8 +10,8 @@ use crate::snapshot::Saved;
 use crate::step::TimeStep;
 use crate::vec2::Vec2;
 
-/// A body with a mark that stays: whether any verb has left its position or velocity at an end of the
-/// range, or not finite. A sum that saturates does.
+/// A body with a mark that stays: whether any verb has left its position, velocity or spin at an end
+/// of the range, or not finite. A sum that saturates does.
 ///
 /// It moves as the body does, to the bit, and has its state hash: the mark says how far the history can
 /// be trusted, it is no part of the state.
@@ -157,6 +157,11 @@ impl<B: Body> Body for Watched<B> {
     #[inline]
     fn twist(&mut self, change: B::Spin) {
         self.change(|body| body.twist(change));
+    }
+
+    #[inline]
+    fn twist_part(&mut self, spin: B::Spin, factor: <B::S as Scalar>::Coef) {
+        self.change(|body| body.twist_part(spin, factor));
     }
 
     #[inline]

@@ -123,7 +123,6 @@ rows! {
     inertia_beyond, "an inertia whose inverse the scalar cannot hold": turning::inertia_beyond();
     spin_beyond, "a spin outside of the scalar": turning::spin_beyond();
     nan_turning, "NaN or infinity as state of a body that turns": turning::nan_state();
-    degrees_beyond, "degrees that 62 bits cannot hold as turns": turning::degrees_beyond();
     spin_drag_below_zero, "a drag against spin below zero": turning::drag_below_zero();
     clock_that_stands, "a clock that stands still, or no steps a frame": vec![
         refused(Accumulator::new(0, dec!(0.02), 4)),

@@ -47,9 +47,7 @@ fn runs() -> &'static [Run] {
 fn hung<S: fixstep::Angular>(degrees: i32) -> (World<Rigid<Point<S>>, 1>, Hinge<S>) {
     let mut world = World::new();
     let rod = Rigid::new(Point::new(Vec2::ZERO, Vec2::ZERO, MASS).unwrap(), INERTIA).unwrap();
-    let id = world
-        .add(rod.with_angle(Angle::degrees(degrees).unwrap()))
-        .unwrap();
+    let id = world.add(rod.with_angle(Angle::degrees(degrees))).unwrap();
     let hinge = Hinge::new(id, Vec2::ZERO, vec2(0, ARM).unwrap(), AT_THE_PIN).unwrap();
     hinge.hold(world.get_mut(id).unwrap());
     (world, hinge)

@@ -42,7 +42,7 @@ struct Sample {
 pub fn swing<C: Centre + From<Point<C::S>>>(degrees: u32, rate: u32) -> Result<Swing, Error> {
     let mut world = World::<Rigid<C>, 1>::new();
     let rod = C::from(Point::new(Vec2::ZERO, Vec2::ZERO, MASS)?);
-    let tilt = Angle::degrees(degrees as i32)?;
+    let tilt = Angle::degrees(degrees as i32);
     let rod = world.add(Rigid::new(rod, INERTIA)?.with_angle(tilt))?;
     let hinge = Hinge::new(rod, Vec2::ZERO, vec2(0, ARM)?, AT_THE_PIN)?;
     hinge.hold(world.get_mut(rod)?);

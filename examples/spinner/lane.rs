@@ -71,7 +71,7 @@ impl Lane {
             Lane::Gear => {
                 let centre = Point::new(Vec2::ZERO, Vec2::ZERO, MASS)?;
                 let gear = Rigid::new(centre.into(), self.inertia()?)?;
-                Ok(gear.with_angle(Angle::degrees(GEAR_START)?))
+                Ok(gear.with_angle(Angle::degrees(GEAR_START)))
             }
             Lane::Through | Lane::OffCentre | Lane::Braked => {
                 let properties = rectangle(SIDES[0], SIDES[1])?.of_mass(MASS)?;

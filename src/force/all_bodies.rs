@@ -11,7 +11,8 @@ use crate::time::{Now, Time};
 use crate::vec2::Vec2;
 
 /// A force, in newtons, that `F` computes for each body from the time, all bodies and the place
-/// of the body among them; for worlds of up to `N` bodies.
+/// of the body among them; for worlds of up to `N` bodies. A force alone: for a torque write a
+/// [`Force`].
 ///
 /// ```
 /// use fixstep::{AllBodies, Body, Point, Time, Vec2};

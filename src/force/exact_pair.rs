@@ -154,6 +154,9 @@ impl<B: Body<S: Decay>> Force<B> for ExactPair<B::S> {
         let (Some(a), Some(b)) = (first, second) else {
             return 0.0;
         };
+        if a.is_driven() || b.is_driven() {
+            return 0.0;
+        }
         let [xa, xb] = [a, b].map(|body| body.position().to_f64());
         let z = xb - xa - self.rest.to_f64();
         let inverse = a.inv_mass().to_f64() + b.inv_mass().to_f64();

@@ -7,7 +7,8 @@ use crate::step::TimeStep;
 use crate::time::{Now, Time};
 use crate::vec2::Vec2;
 
-/// A force, in newtons, that `F` computes from the time and the body alone.
+/// A force, in newtons, that `F` computes from the time and the body alone; an [`Effort`], for bodies that turn a
+/// force and a torque.
 ///
 /// ```
 /// use fixstep::{vec2, Body, PerBody, Point, Time, Vec2};

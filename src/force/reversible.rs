@@ -36,7 +36,7 @@ pub trait ReversiblePair<B: Body>: PairForce<B> {
     }
 }
 
-/// Your promise that the function in a [`PerBody`] or [`AllBodies`] reads no velocity, and gives the
+/// Your promise that the function in a [`PerBody`] or [`AllBodies`] reads no velocity and no spin, and gives the
 /// same for the same time and positions whenever it is asked.
 ///
 /// ```

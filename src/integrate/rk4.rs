@@ -214,7 +214,7 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
             body.move_by(k1.0 + both.0, h_sixth);
             body.turn_by(k1.1.sum(both.1), h_sixth);
             body.kick_by(both.0, third);
-            body.twist(both.1.part(third));
+            body.twist_part(both.1, third);
         });
 
         let now = Now::end(step, tick);
@@ -222,7 +222,7 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
         self.evaluate(ids, forces, &now);
         self.each(bodies, |body, _, live, k1| {
             body.kick_by(k1.0 + live.velocity(), sixth);
-            body.twist(k1.1.sum(live.spin()).part(sixth));
+            body.twist_part(k1.1.sum(live.spin()), sixth);
         });
         damp(bodies, forces, &now, Part::SecondHalf);
     }

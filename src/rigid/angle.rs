@@ -1,7 +1,6 @@
 //! Angles, and what turns a vector by one.
 
 use crate::between::Between;
-use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, Turns};
 use crate::vec2::Vec2;
@@ -15,7 +14,7 @@ use crate::vec2::Vec2;
 /// use fixstep::{dec, vec2, Angle, fixed::types::I16F16};
 /// let quarter = Angle::<I16F16>::turns(dec!(0.25));
 /// assert_eq!(quarter + quarter + quarter + quarter, Angle::ZERO);
-/// assert_eq!(quarter, Angle::degrees(90)?);
+/// assert_eq!(quarter, Angle::degrees(90));
 /// assert_eq!(quarter.rotation().turn(vec2(3, 1)?), vec2(-1, 3)?);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
@@ -33,15 +32,12 @@ impl<S: Angular> Angle<S> {
         Angle(S::Turns::nearest(turns.into()))
     }
 
-    /// The angle nearest to `degrees`. Refuses a number that 62 bits cannot hold as turns.
+    /// The angle nearest to `degrees`, a 360th of a turn each.
     #[inline(always)]
-    pub fn degrees(degrees: impl Into<Ratio>) -> Result<Angle<S>, Error> {
-        let (field, value) = ("degrees", degrees.into());
-        let error = Error::OutOfRange { field, value };
-        let den = value.den().checked_mul(360).ok_or(error)?;
-        Ratio::new(value.num(), den)
-            .map(Angle::turns)
-            .map_err(|_| error)
+    #[must_use]
+    pub fn degrees(degrees: impl Into<Ratio>) -> Angle<S> {
+        let turns = degrees.into().per(Ratio::whole(360));
+        turns.map_or(Angle::ZERO, Angle::turns)
     }
 
     /// The count that it is, in parts of a turn.

@@ -1,4 +1,4 @@
-//! The rotor of a body that carries: 20 bytes in a 32-bit scalar.
+//! The rotor of a body that carries: 24 bytes in a 32-bit scalar.
 
 use super::angle::Angle;
 use super::rotor::{Rotor, is_inverse};
@@ -6,7 +6,8 @@ use crate::scalar::CarryAngular;
 use crate::step::Revolve;
 
 /// The rotor that keeps what its roundings leave over: an angle of twice the bits, and a remainder of the
-/// spin. Turns at a dyadic rate are exact for ever, at any other to the last digit of `h`.
+/// spin. By a method that drifts whole or half steps turns at a
+/// dyadic rate are exact for ever, at any other to the last digit of `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarriedRotor<S: CarryAngular> {
     angle: S::Fine,

@@ -98,13 +98,13 @@ pub enum Kind {
 /// use fixstep::{dec, vec2, Angle, Point, Rigid, SemiImplicitEuler, Step, World, fixed::types::I16F16};
 /// // A rod of 2 kg and 1.2 m: inertia m l² / 12.
 /// let centre = Point::<I16F16>::new(vec2(0, 5)?, vec2(1, 0)?, 2)?;
-/// let rod = Rigid::new(centre, dec!(0.24))?.with_angle(Angle::degrees(30)?).with_spin(dec!(0.5))?;
+/// let rod = Rigid::new(centre, dec!(0.24))?.with_angle(Angle::degrees(30)).with_spin(dec!(0.5))?;
 /// let mut world = World::<_, 4>::new();
 /// let id = world.add(rod)?;
 /// for _ in 0..60 {
 ///     world.step(&mut SemiImplicitEuler, &mut (), &Step::hz(60)?);
 /// }
-/// let turned = world.get(id)?.angle() - Angle::degrees(30)?;
+/// let turned = world.get(id)?.angle() - Angle::degrees(30);
 /// assert!((turned.to_f64().abs() - 0.5).abs() < 1e-7); // half a turn
 /// # Ok::<(), fixstep::Error>(())
 /// ```
@@ -128,7 +128,7 @@ impl<C: Centre> Rigid<C> {
         let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
         let error = Error::OutOfRange { field, value };
         let tau = Ratio::new(TAU.0, TAU.1).map_err(|_| error)?;
-        let per_turn = inverse.over(tau).filter(|ratio| ratio.num() != 0);
+        let per_turn = inverse.per(tau).filter(|ratio| ratio.num() != 0);
         let inv_inertia = per_turn.and_then(Factor::new).ok_or(error)?;
         Ok(Self::with_inv_inertia(centre, inv_inertia))
     }

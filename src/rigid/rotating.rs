@@ -98,6 +98,14 @@ pub trait Rotating: Body<S: Angular> {
     }
 }
 
+impl<C: Centre> Rigid<C> {
+    /// Whether a torque turns it. Infinity times an inverse inertia of zero would be NaN.
+    #[inline]
+    fn can_turn(&self) -> bool {
+        self.rotor.inv_inertia() != C::S::ZERO.coef()
+    }
+}
+
 impl<C: Centre> Rotating for Rigid<C> {
     #[inline]
     fn angle(&self) -> Angle<C::S> {
@@ -116,24 +124,32 @@ impl<C: Centre> Rotating for Rigid<C> {
 
     #[inline]
     fn twist_by(&mut self, value: C::S, factor: Coef<C>) {
-        self.rotor.twist_by(value, factor);
+        if self.can_turn() {
+            self.rotor.twist_by(value, factor);
+        }
     }
 
     #[inline]
     fn spin_up(&mut self, change: C::S) {
-        self.rotor.twist(change);
+        if self.can_turn() {
+            self.rotor.twist(change);
+        }
     }
 
     #[inline]
     fn damp_spin(&mut self, loss: Coef<C>) {
-        self.rotor.damp(loss);
+        if self.can_turn() {
+            self.rotor.damp(loss);
+        }
     }
 
     #[inline]
     fn push_off(&mut self, arm: Vec2<C::S>, impulse: Vec2<C::S>) {
         self.push(impulse);
-        let moment = arm.cross(impulse);
-        self.rotor.twist_by_sum(moment, self.rotor.inv_inertia());
+        if self.can_turn() {
+            let moment = arm.cross(impulse);
+            self.rotor.twist_by_sum(moment, self.rotor.inv_inertia());
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The verbs of a rigid body: those of its centre, and as much for its rotor.
 //!
-//! A driven body has an inverse mass and inertia of zero, so whatever is multiplied by them leaves it as it is;
-//! only a kick, which is the same for every mass, has to ask.
+//! A driven body has an inverse mass and inertia of zero. Kicks, which are the same for every mass, ask for it; so
+//! do pushes and torques, since infinity times zero is no number.
 
 use super::rotor::Rotor;
 use super::{Centre, Rigid};
@@ -132,6 +132,11 @@ impl<C: Centre> Body for Rigid<C> {
     #[inline]
     fn twist(&mut self, change: C::S) {
         self.rotor.twist(change);
+    }
+
+    #[inline]
+    fn twist_part(&mut self, spin: C::S, factor: Coef<C>) {
+        self.rotor.twist_by(spin, factor);
     }
 
     #[inline(always)]

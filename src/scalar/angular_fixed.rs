@@ -105,7 +105,7 @@ macro_rules! fixed_angular {
 
             #[inline]
             fn of_unit(unit: $raw) -> Self {
-                $fixed::from_bits(Raw::rounded(unit.product(1 << F::U32), $raw::BITS - 2))
+                $fixed::from_bits(Raw::rounded((unit as $wide) << F::U32, $raw::BITS - 2))
             }
 
             fn weighed(sum: $wide, factor: Coef<$raw>) -> Self {
@@ -144,7 +144,7 @@ fixed_angular!(
     0x6487_ED51_10B4_611A
 );
 
-/// `value m / 2^(shift - 64)` modulo `2^64`, for shifts of 95 at most.
+/// `value m / 2^(shift - 64)` modulo `2^64`, for shifts of 126 at most.
 #[inline]
 fn fine_steps(value: i32, mantissa: i32, shift: u32) -> u64 {
     let product = value as i64 * mantissa as i64;
@@ -184,7 +184,7 @@ impl<F: LeEqU32> CarryAngular for FixedI32<F> {
         (angle as u64) << 32
     }
 
-    // Half a unit goes up in the upper half of the turn, which is the negative one.
+    // Half a unit goes up; in the upper half of the turn, which is the negative one, only more than half.
     #[inline]
     fn coarse(fine: u64) -> u32 {
         let (high, low) = ((fine >> 32) as u32, fine as u32);

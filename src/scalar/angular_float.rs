@@ -14,8 +14,8 @@ macro_rules! count {
             const FINEST: $float = (1_u64 << ($mantissa - 2)) as $float;
             let mut part = turns;
             if !(turns > -0.5 && turns < 0.5) {
-                // From here on a float has no fraction, infinity and NaN have none either.
-                if !(turns > -FINEST && turns < FINEST) {
+                // From twice that on a float has no fraction; infinity and NaN have none either.
+                if !(turns > -2.0 * FINEST && turns < 2.0 * FINEST) {
                     return 0;
                 }
                 part -= turns as $whole as $float;

@@ -72,7 +72,7 @@ impl<B: Rotating<S: Decay + Angular>> Force<B> for SpinDrag<B::S> {
 
     #[inline]
     fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
-        let product = |h| B::S::product(B::S::product(self.drag, B::S::TAU), h);
+        let product = |h| B::S::product(B::S::product(self.drag, h), B::S::TAU);
         let rate = self.per_step.get(&now.step, product);
         if rate != self.rate {
             (self.rate, self.known) = (rate, None);

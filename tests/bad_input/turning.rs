@@ -1,7 +1,7 @@
 //! Bodies that turn, and what they refuse.
 
 use fixstep::torque::SpinDrag;
-use fixstep::{Angle, Angular, Carried, Rigid, Scalar};
+use fixstep::{Angular, Carried, Rigid, Scalar};
 
 use super::*;
 
@@ -53,14 +53,6 @@ fn not_finite<S: Angular>(nan: S) -> Errors {
 
 pub fn nan_state() -> Errors {
     [not_finite(f32::NAN), not_finite(f64::INFINITY)].concat()
-}
-
-pub fn degrees_beyond() -> Errors {
-    let fine = Ratio::new(1, 1 << 60).unwrap();
-    vec![
-        refused(Angle::<I16F16>::degrees(fine)),
-        refused(Angle::<f64>::degrees(fine)),
-    ]
 }
 
 pub fn drag_below_zero() -> Errors {

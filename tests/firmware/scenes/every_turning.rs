@@ -3,7 +3,7 @@
 
 use core::hint::black_box;
 
-use fixstep::fixed::types::{I8F24, I16F16};
+use fixstep::fixed::types::I16F16;
 use fixstep::rigid::{Centre, SavedRotor};
 use fixstep::scalar::Rational;
 use fixstep::shape::{capsule, convex_polygon, disc, polygon, rectangle, ring};
@@ -19,7 +19,7 @@ use fixstep::{
 pub fn hash() -> Result<u64, Error> {
     let sums = [
         of::<Point<I16F16>>()?,
-        of::<Carried<I8F24>>()?,
+        of::<Carried<I16F16>>()?,
         of::<Point<f32>>()?,
         back()?,
     ];
@@ -64,7 +64,7 @@ where
     let about = whole.inertia_about(Vec2::ZERO)?.num() as u64;
     let body = Rigid::<C>::of(&whole, vec2(black_box(1), 0)?)?;
     let turned = body
-        .with_angle(Angle::degrees(black_box(30))?)
+        .with_angle(Angle::degrees(black_box(30)))
         .with_spin(black_box(2))?;
     let held = Rigid::locked(C::from(Point::new(vec2(4, 0)?, vec2(0, 1)?, 2)?));
     let (Ok(a), Ok(b), Ok(c)) = (
@@ -105,9 +105,8 @@ where
     );
     let before = world.clone();
     let mut world = saved(&world);
-    for _ in 0..50 {
+    for _ in 0..100 {
         world.step(&mut SemiImplicitEuler, &mut forces, &step);
-        world.step(&mut Verlet, &mut forces, &step);
     }
     touched(&mut world, a)?;
     let part = Between::new(black_box(dec!(0.3)), &step)?;
