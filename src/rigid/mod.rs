@@ -128,7 +128,7 @@ impl<C: Centre> Rigid<C> {
         let inverse = value.inverse().ok_or(Error::NotPositive { field, value })?;
         let error = Error::OutOfRange { field, value };
         let tau = Ratio::new(TAU.0, TAU.1).map_err(|_| error)?;
-        let per_turn = inverse.per(tau).filter(|ratio| ratio.num() != 0);
+        let per_turn = inverse.over(tau).filter(|ratio| ratio.num() != 0);
         let inv_inertia = per_turn.and_then(Factor::new).ok_or(error)?;
         Ok(Self::with_inv_inertia(centre, inv_inertia))
     }

@@ -15,7 +15,8 @@ use fixstep::{
     SemiImplicitEuler, Spring, Step, Time, Vec2, Verlet, Watched, World, dec, vec2,
 };
 
-/// Of both centres, in fixed point and in floats.
+/// Of both centres, in fixed point and in floats. Inlined, as all here that is of one type: no other image has it then.
+#[inline]
 pub fn hash() -> Result<u64, Error> {
     let sums = [
         of::<Point<I16F16>>()?,
@@ -143,6 +144,7 @@ fn touched<C: Centre>(world: &mut World<Rigid<C>, 4>, id: fixstep::BodyId) -> Re
 }
 
 /// Out and back.
+#[inline]
 fn back() -> Result<u64, Error> {
     let mut world = World::<Watched<Rigid<Point<I16F16>>>, 1>::new();
     let whole = properties()?;
