@@ -417,6 +417,34 @@ fn the_guide_and_the_architecture_say_what_a_body_costs() {
 }
 
 /// Whether a line of `text` has these cells.
+/// Columns 6 to 9 of its table: a step of a body that turns less that of one that does not, and what else is
+/// priced.
+#[test]
+fn the_architecture_says_what_an_angle_costs() {
+    let told = table(ARCHITECTURE, "| | bytes | 0.1 turns/s |");
+    assert_eq!(told.len(), 4);
+    let semi = "SemiImplicitEuler";
+    let number = |target, scene, scalar: &str| -> f64 {
+        let figure = each(target, scene, scalar, semi);
+        figure.parse().unwrap()
+    };
+    for (cells, body) in told.iter().zip(["I16F16", "I16F16 carried", "", ""]) {
+        let sine = |target| number(target, "beside Angle::rotation", "I16F16 rigid");
+        let costs = [M0, M4F].map(|target| match body {
+            "" => number(target, "beside a kept direction", "I16F16 rigid"),
+            _ => {
+                let turning = number(target, "gravity 1/60", &format!("{body} rigid"));
+                turning - number(target, "gravity 1/60", body)
+            }
+        });
+        assert_eq!(cells[5..7], costs.map(|cost| cost.round().to_string()));
+        if !body.is_empty() {
+            let sines = [M0, M4F].map(|target| sine(target).round().to_string());
+            assert_eq!(cells[7..9], sines);
+        }
+    }
+}
+
 fn has_row(text: &str, cells: &[String]) -> bool {
     let row = format!("| {} |", cells.join(" | ")).replace("|  |", "| |");
     text.lines().any(|line| {

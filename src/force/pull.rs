@@ -26,6 +26,8 @@ use crate::time::Now;
 /// Draws two bodies to each other with `F = G m1 m2 d / (d² + ε²)^(3/2)`: the inverse square where
 /// they are far apart, and nothing sudden where they are not.
 ///
+/// A body that no force moves has no mass to pull with.
+///
 /// Close bodies need a small step: two that turn about each other at distance ε do so at
 /// `sqrt(G (m1 + m2) / s³)` rad/s, which times h must stay well below 2.
 #[derive(Clone, Copy, Debug)]
