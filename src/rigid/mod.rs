@@ -143,10 +143,7 @@ impl<C: Centre> Rigid<C> {
     /// assert_eq!(body.position(), vec2(3, 4)?);
     /// # Ok::<(), fixstep::Error>(())
     /// ```
-    pub fn of(properties: &MassProperties<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error>
-    where
-        C: From<Point<C::S>>,
-    {
+    pub fn of(properties: &MassProperties<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error> {
         let centre = Point::new(properties.centre(), velocity, properties.mass())?;
         Rigid::new(centre.into(), properties.inertia())
     }
@@ -258,6 +255,18 @@ impl<C: Centre> Rigid<C> {
 
 impl<S: CarryAngular> Rigid<Carried<S>> {
     /// Momentum with its remainder, kg m/s, as [`Carried::momentum`]; none of a body that no force moves.
+    ///
+    /// ```
+    /// use fixstep::{dec, vec2, Body, Carried, Rigid, Vec2, fixed::types::I16F16};
+    /// let centre = Carried::<I16F16>::new(vec2(0, 0)?, vec2(0, 0)?, 3)?;
+    /// let mut body = Rigid::new(centre, 1)?;
+    /// body.push(vec2(dec!(0.5), 0)?); // a sixth of a metre a second, which no number of units is
+    /// assert_eq!(body.momentum(), Vec2::new(0.5, 0.0));
+    /// let mut wall = Rigid::<Carried<I16F16>>::kinematic(vec2(0, 0)?, vec2(1, 0)?)?;
+    /// wall.push(vec2(1, 1)?);
+    /// assert_eq!(wall.momentum(), Vec2::ZERO);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         match self.is_driven() {
