@@ -22,12 +22,12 @@ impl<T, const N: usize> Tagged<T, N> {
     }
 
     pub fn remove(&mut self, id: BodyId) -> Result<(Ball, T), Stale> {
-        let place = self.world.place(id)?;
+        let place = self.world.index_of(id)?;
         Ok((self.world.remove(id)?, self.tags.remove(place)))
     }
 
     pub fn tag(&mut self, id: BodyId) -> Result<&mut T, Stale> {
-        let place = self.world.place(id)?;
+        let place = self.world.index_of(id)?;
         self.tags.get_mut(place).ok_or(Stale(id))
     }
 }

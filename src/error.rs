@@ -22,23 +22,23 @@
 //! | a frequency of zero or less | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `NotPositive` | no force was made |
 //! | a damping ratio below zero | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `Negative` | no force was made |
 //! | a frequency below `2^-20` Hz or from `2^20` Hz, or a damping ratio from `2^10` | [`ExactSpring`](crate::ExactSpring), [`ExactPair`](crate::ExactPair) | `OutOfRange` | no force was made |
-//! | a sag outside of the scalar, or from its point to there | [`ExactSpring::under`](crate::ExactSpring::under) | `OutOfRange` | no force was made |
-//! | no point masses | [`CentreOfMass::of`](crate::CentreOfMass::of) | `Empty` | nothing was made |
-//! | a point mass of zero or less | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotPositive` | nothing was made |
-//! | a point mass that is NaN or infinite | [`CentreOfMass::of`](crate::CentreOfMass::of) | `NotFinite` | nothing was made |
+//! | a sag outside of the scalar, or from its point to there | [`ExactSpring::with_gravity`](crate::ExactSpring::with_gravity) | `OutOfRange` | no force was made |
+//! | no point masses | [`CentreOfMass::new`](crate::CentreOfMass::new) | `Empty` | nothing was made |
+//! | a point mass of zero or less | [`CentreOfMass::new`](crate::CentreOfMass::new) | `NotPositive` | nothing was made |
+//! | a point mass that is NaN or infinite | [`CentreOfMass::new`](crate::CentreOfMass::new) | `NotFinite` | nothing was made |
 //! | a total mass that no fraction of 62 bits, or no body, can hold | [`CentreOfMass`](crate::CentreOfMass): `of`, `point` | `OutOfRange` | nothing was made |
-//! | a radius, width or height of zero or less | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `NotPositive` | no shape was made |
-//! | an inner radius or a length below zero | [`ring`](crate::shape::ring()), [`capsule`](crate::shape::capsule()) | `Negative` | no shape was made |
-//! | an inner radius above the outer | [`ring`](crate::shape::ring()) | `OutOfRange` | no shape was made |
-//! | a shape too large for 62 bits of square metres | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `OutOfRange` | no shape was made |
-//! | a shape too small for them | [`disc`](crate::shape::disc()), [`ring`](crate::shape::ring()), [`rectangle`](crate::shape::rectangle()), [`capsule`](crate::shape::capsule()) | `RoundsToZero` | no shape was made |
-//! | no vertices | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `Empty` | no shape was made |
-//! | a vertex that is NaN or infinite, or too many square metres for 62 bits | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `NotFinite` | no shape was made |
-//! | a polygon without area: on one line, of two vertices, in two lobes alike | [`polygon`](crate::shape::polygon()), [`convex_polygon`](crate::shape::convex_polygon()) | `Degenerate` | no shape was made |
-//! | a corner that is straight or turns the other way, or a second turn | [`convex_polygon`](crate::shape::convex_polygon()) | `NotConvex` | no shape was made |
-//! | a shape's mass or density of zero or less, or a density where it has no area | [`Shape`](crate::Shape): `of_mass`, `of_density` | `NotPositive` | nothing was made |
-//! | a shape's mass that 62 bits cannot hold | [`Shape`](crate::Shape): `of_mass`, `of_density` | `OutOfRange` | nothing was made |
-//! | a shape's mass of so little inertia that it would be zero | [`Shape`](crate::Shape): `of_mass`, `of_density` | `RoundsToZero` | nothing was made |
+//! | a radius, width or height of zero or less | [`disc`](crate::mass::disc()), [`ring`](crate::mass::ring()), [`rectangle`](crate::mass::rectangle()), [`capsule`](crate::mass::capsule()) | `NotPositive` | no shape was made |
+//! | an inner radius or a length below zero | [`ring`](crate::mass::ring()), [`capsule`](crate::mass::capsule()) | `Negative` | no shape was made |
+//! | an inner radius above the outer | [`ring`](crate::mass::ring()) | `OutOfRange` | no shape was made |
+//! | a shape too large for 62 bits of square metres | [`disc`](crate::mass::disc()), [`ring`](crate::mass::ring()), [`rectangle`](crate::mass::rectangle()), [`capsule`](crate::mass::capsule()) | `OutOfRange` | no shape was made |
+//! | a shape too small for them | [`disc`](crate::mass::disc()), [`ring`](crate::mass::ring()), [`rectangle`](crate::mass::rectangle()), [`capsule`](crate::mass::capsule()) | `RoundsToZero` | no shape was made |
+//! | no vertices | [`polygon`](crate::mass::polygon()), [`convex_polygon`](crate::mass::convex_polygon()) | `Empty` | no shape was made |
+//! | a vertex that is NaN or infinite, or too many square metres for 62 bits | [`polygon`](crate::mass::polygon()), [`convex_polygon`](crate::mass::convex_polygon()) | `NotFinite` | no shape was made |
+//! | a polygon without area: on one line, of two vertices, in two lobes alike | [`polygon`](crate::mass::polygon()), [`convex_polygon`](crate::mass::convex_polygon()) | `Degenerate` | no shape was made |
+//! | a corner that is straight or turns the other way, or a second turn | [`convex_polygon`](crate::mass::convex_polygon()) | `NotConvex` | no shape was made |
+//! | a shape's mass or density of zero or less, or a density where it has no area | [`Shape`](crate::Shape): `with_mass`, `with_density` | `NotPositive` | nothing was made |
+//! | a shape's mass that 62 bits cannot hold | [`Shape`](crate::Shape): `with_mass`, `with_density` | `OutOfRange` | nothing was made |
+//! | a shape's mass of so little inertia that it would be zero | [`Shape`](crate::Shape): `with_mass`, `with_density` | `RoundsToZero` | nothing was made |
 //! | mass properties of no mass or less | [`MassProperties::new`](crate::MassProperties::new) | `NotPositive` | nothing was made |
 //! | a moment of inertia below zero | [`MassProperties::new`](crate::MassProperties::new) | `Negative` | nothing was made |
 //! | a part that is moved out of the range, or a point that is NaN | [`MassProperties`](crate::MassProperties): `new`, `at`, `inertia_about` | `NotFinite` | nothing was made |
@@ -49,7 +49,7 @@
 //! | an inertia whose inverse the scalar cannot hold | [`Rigid::new`](crate::Rigid::new) | `OutOfRange` | no body was made |
 //! | a spin outside of the scalar | [`Rigid::with_spin`](crate::Rigid::with_spin) | `OutOfRange` | no body was made |
 //! | NaN or infinity as state of a body that turns | [`Rigid`](crate::Rigid): `kinematic`, `fixed`, `teleport`, `set_velocity`, `set_spin` | `NotFinite` | the state it had |
-//! | a drag against spin below zero | [`SpinDrag::new`](crate::torque::SpinDrag::new) | `Negative` | no force was made |
+//! | a drag against spin below zero | [`SpinDrag::new`](crate::rigid::torque::SpinDrag::new) | `Negative` | no force was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
 //! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |

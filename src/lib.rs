@@ -12,7 +12,7 @@
 //! * [`guide`]: which method, which number type, which rate.
 //! * [`Step`] or [`DyadicStep`] is the timestep. Time is a count of ticks.
 //! * An [`Accumulator`] says how many steps a frame is due, [`Between`] where to draw in between.
-//! * [`rewind`] undoes steps to the bit, in fixed point, for a world of [`Watched`] bodies.
+//! * [`rewind`] undoes steps to the bit, in fixed point, for a world of [`RangeChecked`] bodies.
 //! * [`snapshot`] saves a world as bytes; [`error`] has a table of what is refused.
 //! * [`Scalar`](scalar) is the law that every number type keeps: total, odd, nearest, same bits.
 //!
@@ -35,79 +35,46 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-mod decimal;
 pub mod error;
-mod fnv;
-mod fraction;
-mod oscillation;
 pub mod ratio;
 pub mod scalar;
 pub mod vec2;
 
-pub mod accumulator;
-pub mod between;
 pub mod body;
-pub mod carried;
-pub mod id;
-pub mod mass;
-pub mod point;
-mod propagator;
-pub mod shape;
-pub mod spin;
-pub mod step;
-pub mod time;
-
 pub mod force;
 pub mod integrate;
-
-pub mod rigid;
-pub mod torque;
-
-pub mod guide;
-
-pub mod measure;
-pub mod rewind;
-pub mod snapshot;
-pub mod watched;
+pub mod mass;
+pub mod time;
 pub mod world;
 
-#[cfg(feature = "defmt")]
-mod defmt;
-#[cfg(feature = "mint")]
-mod mint;
-#[cfg(feature = "serde")]
-mod serde;
+pub mod rigid;
+
+pub mod guide;
+mod interop;
+pub mod prelude;
 
 pub use fixed;
 pub use heapless;
 
-pub use accumulator::{Accumulator, Due};
-pub use between::Between;
-pub use body::{Body, Turn};
-pub use carried::Carried;
+pub use body::{Body, BodyId, Carried, Point, RangeChecked, Reverse, Stale};
 pub use error::{Error, Full};
 pub use force::{
     AllBodies, AllPairs, Anchor, Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring,
     Force, Frame, Gravity, GravityY, LinearDrag, PairForce, Pairs, Part, PerBody, PositionOnly,
     Pull, Push, QuadraticDrag, Reversible, ReversiblePair, Spring, Window,
 };
-pub use id::{BodyId, Stale};
 pub use integrate::{
     ConstantAcceleration, Euler, Method, Pefrl, Rewinds, Rk4, SemiImplicitEuler, Verlet,
 };
-pub use mass::{CentreOfMass, PointMass};
-pub use point::Point;
+pub use mass::{CentreOfMass, MassProperties, PointMass, Shape};
 pub use ratio::Ratio;
-pub use rewind::RewindError;
 pub use rigid::{Angle, Kind, Rigid, Rotating, Rotation};
 pub use scalar::{Angular, Carry, CarryAngular, Decay, Exact, Factor, Rational, Scalar, Stored};
-pub use shape::{MassProperties, Shape};
-pub use snapshot::{Saved, SnapshotError};
-pub use step::{DyadicStep, Step, TimeStep};
-pub use time::{Now, Time};
+pub use time::{Accumulator, Between, Due, DyadicStep, Now, Step, Time, TimeStep};
 pub use vec2::{Vec2, vec2};
-pub use watched::Watched;
 pub use world::World;
+pub use world::rewind::RewindError;
+pub use world::snapshot::{Saved, SnapshotError};
 
 /// The scene of the README is a test.
 #[cfg(doctest)]

@@ -69,7 +69,7 @@ impl<S: Scalar> Vec2<S> {
     #[inline]
     #[must_use]
     pub fn scaled(self, factor: impl Factor<S>) -> Vec2<S> {
-        self.map(|s| factor.of(s))
+        self.map(|s| factor.scale(s))
     }
 
     /// `self.x * other.x + self.y * other.y` in the wide type.
@@ -105,7 +105,7 @@ impl<S: Scalar> Vec2<S> {
     #[inline]
     #[must_use]
     pub fn with_length(self, length: S, own: S) -> Vec2<S> {
-        self.map(|s| own.under(S::dot([s, S::ZERO], [length, S::ZERO])))
+        self.map(|s| S::quotient(S::dot([s, S::ZERO], [length, S::ZERO]), own))
     }
 
     /// Whether both components are away from the ends of the range and finite.

@@ -18,7 +18,7 @@ mod support;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::rigid::Centre;
-use fixstep::torque::Attached;
+use fixstep::rigid::torque::Attached;
 use fixstep::{
     Angle, Carried, Force, Pairs, Point, Rigid, Rotating, Spring, Step, Vec2, Verlet, World,
 };

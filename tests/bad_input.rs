@@ -97,7 +97,7 @@ rows! {
     damping_below_zero, "a damping ratio below zero": exact::damping_below_zero();
     spring_beyond, "a frequency below `2^-20` Hz or from `2^20` Hz, or a damping ratio from `2^10`": exact::beyond();
     sag_beyond, "a sag outside of the scalar, or from its point to there": exact::sags();
-    no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::of(&[]))];
+    no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::new(&[]))];
     point_of_no_mass, "a point mass of zero or less": point_masses();
     point_not_finite, "a point mass that is NaN or infinite": not_finite_point_masses();
     total_beyond, "a total mass that no fraction of 62 bits, or no body, can hold": totals();
@@ -235,13 +235,13 @@ fn point_masses() -> Errors {
         mass,
     };
     let sets = [[of(dec!(1)), of(dec!(0))], [of(dec!(-2)), of(dec!(3))]];
-    sets.map(|set| refused(CentreOfMass::of(&set))).into()
+    sets.map(|set| refused(CentreOfMass::new(&set))).into()
 }
 
 fn not_finite_point_masses() -> Errors {
     let of = |position, velocity| {
         let mass = dec!(1);
-        refused(CentreOfMass::of(&[PointMass {
+        refused(CentreOfMass::new(&[PointMass {
             position,
             velocity,
             mass,
@@ -258,9 +258,9 @@ fn totals() -> Errors {
         mass,
     };
     let whole = |mass| Ratio::new(mass, 1).unwrap();
-    let heavy = CentreOfMass::of(&[of(whole(2_000_000)), of(whole(2_000_000))]).unwrap();
+    let heavy = CentreOfMass::new(&[of(whole(2_000_000)), of(whole(2_000_000))]).unwrap();
     vec![
-        refused(CentreOfMass::of(&[of(whole(1 << 62)), of(whole(1))])),
+        refused(CentreOfMass::new(&[of(whole(1 << 62)), of(whole(1))])),
         refused(heavy.point()),
     ]
 }
@@ -298,7 +298,7 @@ fn stale() -> Errors {
         name(world.get(gone).unwrap_err()),
         name(world.get_mut(gone).unwrap_err()),
         name(world.remove(gone).unwrap_err()),
-        name(world.place(gone).unwrap_err()),
+        name(world.index_of(gone).unwrap_err()),
     ];
     assert_eq!(world.get(gone), Err(Stale(gone)));
     assert_eq!(world.state_hash(), before);

@@ -388,7 +388,7 @@ fn the_tables_of_methods_say_what_they_cost() {
 /// `| body | bytes | M0+ 1/60 | M0+ 1/64 | M4F 1/60 | M4F 1/64 |`.
 #[test]
 fn the_guide_and_the_architecture_say_what_a_body_costs() {
-    let guide = include_str!("../src/guide.rs");
+    let guide = include_str!("../src/guide/mod.rs");
     let bodies = [
         ("I16F16", "`Point<I16F16>`", size_of::<Point<I16F16>>()),
         (

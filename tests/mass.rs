@@ -150,7 +150,7 @@ fn means_are_near<S: Anywhere>(kind: usize) {
     let (mut units, mut ratios, mut random) = (vec![], vec![], Random(kind as u64));
     for n in (1..=16).flat_map(|n| [n; 200]) {
         let set = set::<S>(kind, n, &mut random);
-        let all = CentreOfMass::of(&set).unwrap();
+        let all = CentreOfMass::new(&set).unwrap();
         for i in PARTS {
             let a = |p: &PointMass<S>| part(p.position, p.velocity, i);
             let largest = set.iter().map(|p| a(p).to_f64().abs()).fold(0.0, f64::max);
@@ -188,7 +188,7 @@ fn momentum_is_the_sum<S: Anywhere>(kind: usize) {
     let den = KINDS[kind].1;
     for n in (1..=16).flat_map(|n| [n; 50]) {
         let set = set::<S>(kind, n, &mut random);
-        let momentum = CentreOfMass::of(&set).unwrap().momentum().array();
+        let momentum = CentreOfMass::new(&set).unwrap().momentum().array();
         for i in [2, 3] {
             let a = |p: &PointMass<S>| part(p.position, p.velocity, i);
             let (sum, mass) = sums(&set, den, a);

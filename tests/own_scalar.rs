@@ -47,7 +47,7 @@ impl Factor<Own> for Times {
         (raw != 0 || ratio.num() == 0).then_some(Times(raw))
     }
 
-    fn of(self, value: Own) -> Own {
+    fn scale(self, value: Own) -> Own {
         own(divided(
             i128::from(self.0) * i128::from(value.0),
             1 << FACTOR,
@@ -113,9 +113,9 @@ impl Scalar for Own {
         own(divided(sum, 1 << FRACTION))
     }
 
-    fn under(self, sum: i128) -> Own {
-        if self.0 > 0 {
-            own(divided(sum, self.0.into()))
+    fn quotient(sum: i128, divisor: Self) -> Own {
+        if divisor.0 > 0 {
+            own(divided(sum, divisor.0.into()))
         } else {
             Own(0)
         }
@@ -229,5 +229,5 @@ fn falls_as_far_as_it_should() {
     let body = world.bodies()[0];
     assert_eq!(body.velocity().y, Own(-16 << 16));
     assert_eq!(body.position().y, Own(-16 << 16));
-    assert_eq!(TimeStep::of(&step, Own(64)), Own(1));
+    assert_eq!(TimeStep::times(&step, Own(64)), Own(1));
 }

@@ -65,7 +65,7 @@ fn the_hole_never_leaves_the_pin() {
             world.step(&mut Verlet, &mut forces, &step);
             let rod = world.bodies()[0];
             assert_eq!(rod.to_world(hole), Vec2::ZERO, "{what} tick {tick}");
-            let slip = rod.velocity_off(rod.rotation().turn(hole));
+            let slip = rod.velocity_off(rod.rotation().rotate(hole));
             assert_eq!(slip, Vec2::ZERO, "{what} tick {tick}");
         }
     }

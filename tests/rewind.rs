@@ -8,16 +8,16 @@ mod floats;
 mod gravity;
 #[path = "rewind/many_forces.rs"]
 mod many_forces;
+#[path = "rewind/range_checked.rs"]
+mod range_checked;
 #[path = "rewind/refused.rs"]
 mod refused;
 #[path = "rewind/saturation.rs"]
 mod saturation;
-#[path = "rewind/watched.rs"]
-mod watched;
 
 use fixstep::{
-    Body, BodyId, DyadicStep, Point, Reversible, Rewinds, Scalar, SemiImplicitEuler, Step,
-    TimeStep, Turn, Verlet, Watched, World,
+    Body, BodyId, DyadicStep, Point, RangeChecked, Reverse, Reversible, Rewinds, Scalar,
+    SemiImplicitEuler, Step, TimeStep, Verlet, World,
 };
 
 /// All that a world holds, marks and masses too.
@@ -28,21 +28,21 @@ fn state<B: Body, const N: usize>(world: &World<B, N>) -> State<B> {
 }
 
 /// A world whose bodies remember the end of the range.
-fn watched<B: Body + std::fmt::Debug, const N: usize>(bodies: [B; N]) -> World<Watched<B>, N> {
-    support::world(bodies.map(Watched::new))
+fn watched<B: Body + std::fmt::Debug, const N: usize>(bodies: [B; N]) -> World<RangeChecked<B>, N> {
+    support::world(bodies.map(RangeChecked::new))
 }
 
 /// Makes `steps` steps and undoes them. Every `every` of them the state is kept, and must be there
 /// again on the way back.
 fn there_and_back<B, const N: usize>(
     name: &str,
-    world: &mut World<Watched<B>, N>,
-    method: &mut impl Rewinds<Watched<B>, N>,
-    forces: &mut impl Reversible<Watched<B>>,
+    world: &mut World<RangeChecked<B>, N>,
+    method: &mut impl Rewinds<RangeChecked<B>, N>,
+    forces: &mut impl Reversible<RangeChecked<B>>,
     step: &impl TimeStep<B::S>,
     [steps, every]: [u64; 2],
 ) where
-    B: Turn + PartialEq + std::fmt::Debug,
+    B: Reverse + PartialEq + std::fmt::Debug,
 {
     let mut kept = Vec::new();
     for tick in 0..steps {

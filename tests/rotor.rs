@@ -19,7 +19,7 @@ use std::fmt::Debug;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::rigid::Centre;
-use fixstep::torque::{SpinDrag, Torque};
+use fixstep::rigid::torque::{SpinDrag, Torque};
 use fixstep::{
     Body, Carried, CarryAngular, Decay, Factor, Point, Rigid, Rotating, Scalar, Step, Vec2, World,
 };

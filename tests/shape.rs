@@ -18,7 +18,7 @@ mod support;
 
 use std::f64::consts::PI;
 
-use fixstep::shape::{capsule, disc, rectangle, ring};
+use fixstep::mass::{capsule, disc, rectangle, ring};
 use fixstep::{Ratio, Shape, dec};
 
 /// Twenty roundings of an `f64`.
@@ -45,10 +45,10 @@ fn near(told: Ratio, wanted: f64, bound: f64, what: &str) {
 fn measures(shape: Shape<f32>, area: f64, inertia_per_mass: f64, what: &str) {
     near(shape.area(), area, ROUNDED, what);
     near(shape.inertia_per_mass(), inertia_per_mass, ROUNDED, what);
-    let body = shape.of_density(dec!(2.5)).unwrap();
+    let body = shape.with_density(dec!(2.5)).unwrap();
     near(body.mass(), 2.5 * area, ROUNDED, what);
     near(body.inertia(), 2.5 * area * inertia_per_mass, ROUNDED, what);
-    let body = shape.of_mass(dec!(0.3)).unwrap();
+    let body = shape.with_mass(dec!(0.3)).unwrap();
     assert_eq!((body.mass(), body.centre()), (dec!(0.3), shape.centre()));
     near(body.inertia(), 0.3 * inertia_per_mass, ROUNDED, what);
 }

@@ -117,7 +117,7 @@ fn check<C: Centre<S: OnCircle + Format> + From<Point<C::S>>>(
         let (mut error, mut bound, mut turns) = (0.0, 0.0, 0.0);
         for thousand in 1..=STEPS / 1000 {
             // A drift, but for what it does to a centre at rest.
-            (0..1000).for_each(|_| body.coast(step));
+            (0..1000).for_each(|_| body.drift_angle(step));
             let steps = 1000 * thousand;
             turns = (steps as f64 * spin * step.seconds().to_f64()).abs();
             error = apart(all_bits(&body), flow(spin, step.seconds(), steps));

@@ -139,9 +139,9 @@ fn step_is_as_long_as_it_says<S: Scalar>(unit: f64) {
         for value in [S::MAX, S::MAX.negated(), S::ratio(dec!(1.2345)).unwrap()] {
             let exact = value.to_f64() / rate.to_f64();
             let allowed = |exact: f64| 0.5 * unit + exact.abs() * 9.4e-10;
-            assert!((step.of(value).to_f64() - exact).abs() <= allowed(exact));
+            assert!((step.times(value).to_f64() - exact).abs() <= allowed(exact));
             let half = exact / 2.0;
-            assert!((step.half_of(value).to_f64() - half).abs() <= allowed(half));
+            assert!((step.half_times(value).to_f64() - half).abs() <= allowed(half));
         }
         let coef = step.coef().to_f64() * rate.to_f64();
         assert!((coef - 1.0).abs() < 2.0_f64.powi(-31) + 1e-15);
@@ -194,7 +194,10 @@ fn dyadic_is_exact<const NUM: u32, const SHIFT: u32>() {
         i32::MAX - 1,
     ] {
         let (value, product) = (I16F16::from_bits(raw), i128::from(raw) * i128::from(NUM));
-        let (whole, half) = (step.of(value).to_bits(), step.half_of(value).to_bits());
+        let (whole, half) = (
+            step.times(value).to_bits(),
+            step.half_times(value).to_bits(),
+        );
         assert_eq!(i128::from(whole), limited(rounded(product, 1 << SHIFT)));
         assert_eq!(i128::from(half), limited(rounded(product, 2 << SHIFT)));
     }

@@ -6,7 +6,7 @@
 //! ```
 
 use fixstep::rigid::Centre;
-use fixstep::torque::{SpinDrag, Torque, Wrench};
+use fixstep::rigid::torque::{SpinDrag, Torque, Wrench};
 use fixstep::{
     Angle, Body, Decay, Error, Factor, Force, PerBody, Point, Ratio, Rigid, Rk4, Scalar,
     SemiImplicitEuler, Time, Vec2, Verlet, dec, vec2,
@@ -85,7 +85,7 @@ fn by_hand<C: Centre>(world: &Room<Rigid<C>>) -> Against<impl Force<Rigid<C>> + 
     let drag = <C::S as Scalar>::Coef::new(value).ok_or(Error::OutOfRange { field, value })?;
     let torque = PerBody(move |_: Time, body: &Rigid<C>| Wrench {
         force: Vec2::ZERO,
-        torque: drag.of(body.spin()).negated(),
+        torque: drag.scale(body.spin()).negated(),
     });
     Ok((motors(world)?, torque))
 }

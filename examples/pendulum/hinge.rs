@@ -53,7 +53,7 @@ impl<S: Scalar> Hinge<S> {
     /// Takes from the body what tears it off the pin. The moment of u is rounded, not `μ u`: u is nearly `g h`
     /// in every step, and rounded alike in each would make another gravity, here by 4e-5 of it in an `I16F16`.
     fn stop<B: Rotating<S = S>>(&self, body: &mut B) {
-        let arm = body.rotation().turn(self.hole);
+        let arm = body.rotation().rotate(self.hole);
         let slip = body.velocity_off(arm);
         let per_inertia = S::product(self.mass, body.inv_inertia());
         body.twist_by(S::narrow(arm.cross(-slip)), per_inertia);
@@ -62,7 +62,7 @@ impl<S: Scalar> Hinge<S> {
     /// Puts the hole on the pin, at rest. All sums are exact in fixed point: u is zero to the bit.
     pub fn hold<B: Rotating<S = S>>(&self, body: &mut B) {
         body.shift(self.pin - body.to_world(self.hole));
-        let arm = body.rotation().turn(self.hole);
+        let arm = body.rotation().rotate(self.hole);
         body.kick(-body.velocity_off(arm));
     }
 }
@@ -87,8 +87,8 @@ impl<B: Rotating> Force<B> for Hinge<B::S> {
         if !std::mem::replace(moved, true) {
             self.stop(body);
             match part {
-                Part::Whole => body.coast(&now.step),
-                Part::FirstHalf | Part::SecondHalf => body.coast_half(&now.step),
+                Part::Whole => body.drift_angle(&now.step),
+                Part::FirstHalf | Part::SecondHalf => body.drift_angle_half(&now.step),
             }
             self.hold(body);
         }

@@ -16,7 +16,7 @@ impl Angular for Recorded {
     type Unit = f64;
 
     const TAU: Rate = Rate(TAU);
-    const DRIVEN: Inverse = Inverse(0.0);
+    const INFINITE_MASS: Inverse = Inverse(0.0);
 
     fn advanced(angle: u64, spin: Recorded, h: Rate, halvings: u32) -> u64 {
         let turns = (h.0 * spin.0).dyadic(1, halvings);
@@ -44,7 +44,7 @@ impl Angular for Recorded {
         -unit
     }
 
-    fn of_unit(unit: f64) -> Recorded {
+    fn from_unit(unit: f64) -> Recorded {
         product(unit)
     }
 

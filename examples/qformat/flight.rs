@@ -153,11 +153,11 @@ impl TimeStep<Recorded> for Dyadic {
         TimeStep::coef(&self.of_a_second)
     }
 
-    fn of(&self, rate: Recorded) -> Recorded {
+    fn times(&self, rate: Recorded) -> Recorded {
         rate.dyadic(1, self.shift)
     }
 
-    fn half_of(&self, rate: Recorded) -> Recorded {
+    fn half_times(&self, rate: Recorded) -> Recorded {
         rate.dyadic(1, self.shift + 1)
     }
 

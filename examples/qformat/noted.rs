@@ -127,24 +127,24 @@ impl Body for Noted {
         self.spun(|body| body.twist(change));
     }
 
-    fn coast(&mut self, step: &impl TimeStep<Recorded>) {
-        self.0.coast(step);
+    fn drift_angle(&mut self, step: &impl TimeStep<Recorded>) {
+        self.0.drift_angle(step);
     }
 
-    fn coast_half(&mut self, step: &impl TimeStep<Recorded>) {
-        self.0.coast_half(step);
+    fn drift_angle_half(&mut self, step: &impl TimeStep<Recorded>) {
+        self.0.drift_angle_half(step);
     }
 
-    fn coast_by(&mut self, factor: Rate) {
-        self.0.coast_by(factor);
+    fn drift_angle_by(&mut self, factor: Rate) {
+        self.0.drift_angle_by(factor);
     }
 
-    fn turn_by(&mut self, spin: Recorded, factor: Rate) {
-        self.0.turn_by(spin, factor);
+    fn rotate_by(&mut self, spin: Recorded, factor: Rate) {
+        self.0.rotate_by(spin, factor);
     }
 
-    fn is_driven(&self) -> bool {
-        self.0.is_driven()
+    fn has_infinite_mass(&self) -> bool {
+        self.0.has_infinite_mass()
     }
 }
 

@@ -50,7 +50,7 @@ macro_rules! factor {
                 new(ratio.to_f64()).map($factor)
             }
 
-            fn of(self, value: Recorded) -> Recorded {
+            fn scale(self, value: Recorded) -> Recorded {
                 product(self.0 * value.0)
             }
 
@@ -142,9 +142,9 @@ impl Scalar for Recorded {
         product(sum)
     }
 
-    fn under(self, sum: f64) -> Recorded {
-        if self.0 > 0.0 {
-            product(sum / self.0)
+    fn quotient(sum: f64, divisor: Self) -> Recorded {
+        if divisor.0 > 0.0 {
+            product(sum / divisor.0)
         } else {
             Recorded::ZERO
         }

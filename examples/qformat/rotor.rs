@@ -1,7 +1,7 @@
 //! A scene of bodies that turn: a wheel that a motor drives in its bearing, and a bar on a spring that holds
 //! it by one end. Seen from above, without gravity.
 
-use fixstep::torque::{Attached, SpinDrag, Torque};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque};
 use fixstep::{
     Angular, BodyId, Decay, Error, Pairs, Point, Ratio, Rigid, Rotating, Scalar, Spring, Vec2,
     World, dec, vec2,
@@ -46,7 +46,7 @@ impl Rotor {
         )?;
         let bar = Rigid::new(bar, dec!(0.125))?.with_spin(dec!(0.25))?;
         let [wheel, bar] = [world.add(body(wheel))?, world.add(body(bar))?];
-        let post = world.add(body(Rigid::fixed(vec2(dec!(0.5), 0)?)?))?;
+        let post = world.add(body(Rigid::static_at(vec2(dec!(0.5), 0)?)?))?;
         let spring = Attached {
             spring: Spring::new(1, 20, dec!(0.25))?,
             at: [vec2(dec!(0.5), 0)?, Vec2::ZERO],

@@ -1,7 +1,7 @@
 //! One body through `World::step`: a push between steps, then a thruster and a drag as forces.
 
 use fixstep::rigid::Centre;
-use fixstep::torque::{SpinDrag, Wrench};
+use fixstep::rigid::torque::{SpinDrag, Wrench};
 use fixstep::{
     Decay, Error, PerBody, Point, Rigid, Rotating, Step, Time, Vec2, Verlet, Window, World, vec2,
 };
@@ -22,7 +22,7 @@ where
     let (nozzle, thrust) = (vec2(0, NOZZLE)?, vec2(THRUST, 0)?);
     let thruster = PerBody(|_: Time, gear: &Rigid<C>| {
         let axes = gear.rotation();
-        Wrench::at(axes.turn(nozzle), axes.turn(thrust))
+        Wrench::at(axes.rotate(nozzle), axes.rotate(thrust))
     });
     let burn = (lane == Lane::Gear).then(|| Window::new(0..BURN.into(), thruster));
     let air = (lane == Lane::Braked).then(|| SpinDrag::new(SPIN_DRAG));

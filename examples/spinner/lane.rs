@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use fixstep::mass::{polygon, rectangle};
 use fixstep::rigid::Centre;
-use fixstep::shape::{polygon, rectangle};
 use fixstep::{Angle, Error, Point, Ratio, Rigid, Rotating, Vec2, dec, vec2};
 
 /// Steps a second.
@@ -74,8 +74,8 @@ impl Lane {
                 Ok(gear.with_angle(Angle::degrees(GEAR_START)))
             }
             Lane::Through | Lane::OffCentre | Lane::Braked => {
-                let properties = rectangle(SIDES[0], SIDES[1])?.of_mass(MASS)?;
-                Rigid::of(&properties, Vec2::ZERO)
+                let properties = rectangle(SIDES[0], SIDES[1])?.with_mass(MASS)?;
+                Rigid::from_properties(&properties, Vec2::ZERO)
             }
         }
     }
@@ -98,7 +98,7 @@ impl Lane {
             Lane::Gear => polygon(&gear_outline())?,
             _ => rectangle::<f64>(SIDES[0], SIDES[1])?,
         };
-        Ok(shape.of_mass(MASS)?.inertia())
+        Ok(shape.with_mass(MASS)?.inertia())
     }
 
     /// Its outline, in its own axes, m.

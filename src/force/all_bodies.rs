@@ -6,7 +6,7 @@
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::scalar::Scalar;
-use crate::step::TimeStep;
+use crate::time::TimeStep;
 use crate::time::{Now, Time};
 use crate::vec2::Vec2;
 

@@ -3,13 +3,13 @@
 //! Its rest length is zero, so the two axes do not mix and no square root is needed.
 
 use crate::body::Body;
+use crate::body::id::{self, BodyId};
 use crate::error::Error;
 use crate::force::{Force, Frame, PerStep, Reversible, coefficient, is_none};
-use crate::id::{self, BodyId};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Draws one body to a point and damps its motion. Does nothing once the body is gone.

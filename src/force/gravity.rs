@@ -5,13 +5,13 @@
 //! `n g h` rounded once. That costs a few instructions a step and none a body.
 
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::error::Error;
 use crate::force::{Force, PerStep, Reversible};
-use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// The same acceleration for every body.

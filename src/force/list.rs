@@ -1,10 +1,10 @@
 //! Forces together are a force: tuples, arrays, lists, an option, a reference, a promise.
 
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part, PositionOnly};
-use crate::id::BodyId;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 impl<B: Body, F: Force<B>> Force<B> for [F] {
     const COUPLES: bool = F::COUPLES;

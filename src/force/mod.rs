@@ -37,12 +37,8 @@
 
 mod all_bodies;
 mod anchor;
-mod ballistic;
 mod drag;
-mod exact_drag;
-mod exact_pair;
-mod exact_quadratic_drag;
-mod exact_spring;
+mod exact;
 mod gravity;
 mod list;
 mod pairs;
@@ -56,20 +52,16 @@ mod spring;
 mod window;
 
 use crate::body::Body;
-use crate::id::{self, BodyId};
+use crate::body::id::{self, BodyId};
 use crate::scalar::Factor;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
-pub use ballistic::Ballistic;
 pub use drag::LinearDrag;
-pub use exact_drag::ExactDrag;
-pub use exact_pair::ExactPair;
-pub use exact_quadratic_drag::ExactQuadraticDrag;
-pub use exact_spring::ExactSpring;
+pub use exact::{Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring};
 pub use gravity::{Gravity, GravityY};
 pub use pairs::{AllPairs, PairForce, Pairs};
 pub use per_body::{Effort, PerBody};
@@ -131,7 +123,7 @@ impl<'a, B: Body> Frame<'a, B> {
     }
 
     /// Where the body of that name stands. Not inlined where size counts.
-    pub(crate) fn place(&self, id: BodyId) -> Option<usize> {
+    pub(crate) fn index_of(&self, id: BodyId) -> Option<usize> {
         id::position(self.ids, id)
     }
 
@@ -243,7 +235,7 @@ pub trait Force<B: Body> {
 
     /// Moves bodies through this part of the step by the exact solution of their motion, in place
     /// of their drift, and marks each in `moved`; leaves alone those which are marked already. It turns what
-    /// it moves, by [`Body::coast`] or [`Body::coast_half`].
+    /// it moves, by [`Body::drift_angle`] or [`Body::drift_angle_half`].
     #[inline]
     fn flow<H: TimeStep<B::S>>(
         &mut self,
@@ -268,7 +260,7 @@ fn potential<B: Body>(acceleration: Vec2<B::S>, bodies: &[B]) -> f64 {
     let g = acceleration.to_f64();
     bodies
         .iter()
-        .filter(|body| !body.is_driven())
+        .filter(|body| !body.has_infinite_mass())
         .map(|body| -g.dot(body.position().to_f64()) / body.inv_mass().to_f64())
         .sum()
 }

@@ -4,10 +4,10 @@
 //! scene and takes 8 bytes a pair.
 
 use crate::body::Body;
+use crate::body::id::{self, BodyId};
 use crate::force::{Force, Frame, Reversible, ReversiblePair};
-use crate::id::{self, BodyId};
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// Something that acts between two bodies.
 pub trait PairForce<B: Body> {
@@ -72,7 +72,7 @@ impl<B: Body, L: PairForce<B>, P: AsRef<[[BodyId; 2]]>> Force<B> for Pairs<L, P>
     #[inline]
     fn couple<H: TimeStep<B::S>>(&mut self, now: &Now<H>, frame: &mut Frame<B>) {
         for pair in self.pairs.as_ref() {
-            let (Some(i), Some(j)) = (frame.place(pair[0]), frame.place(pair[1])) else {
+            let (Some(i), Some(j)) = (frame.index_of(pair[0]), frame.index_of(pair[1])) else {
                 continue;
             };
             if let Some((seen, live)) = frame.pair(i, j) {

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::force::Force;
 use crate::scalar::Scalar;
-use crate::step::TimeStep;
+use crate::time::TimeStep;
 use crate::time::{Now, Time};
 use crate::vec2::Vec2;
 
@@ -25,7 +25,7 @@ pub struct PerBody<F>(
 );
 
 /// What a function says that a body feels: a force, or for a body that turns a
-/// [`Wrench`](crate::torque::Wrench).
+/// [`Wrench`](crate::rigid::torque::Wrench).
 pub trait Effort<B: Body> {
     /// Changes the velocity of `live`, as `seen` feels it for a time `h`.
     fn act(self, h: <B::S as Scalar>::Coef, seen: &B, live: &mut B);

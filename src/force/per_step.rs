@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::step::TimeStep;
+use crate::time::TimeStep;
 
 /// The coefficient of a force: neither negative, nor out of range, nor lost to rounding.
 ///

@@ -20,8 +20,8 @@ use crate::error::Error;
 use crate::force::{PairForce, PerStep, ReversiblePair, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// Draws two bodies to each other with `F = G m1 m2 d / (d² + ε²)^(3/2)`: the inverse square where
 /// they are far apart, and nothing sudden where they are not.
@@ -88,7 +88,7 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let along = seen[1].position() - seen[0].position();
         let inverse = B::S::inverse_length(along.array(), self.softening);
         let per_mass = cubed::<B::S>(self.impulse, inverse);
-        let [m1, m2] = seen.map(|body| match body.is_driven() {
+        let [m1, m2] = seen.map(|body| match body.has_infinite_mass() {
             true => B::S::ZERO.coef(),
             false => B::S::mass(body.inv_mass()),
         });
@@ -101,7 +101,7 @@ impl<B: Body> PairForce<B> for Pull<B::S> {
         let [a, b] = bodies.map(|body| body.position().to_f64());
         let inverse = f64::inverse_length((b - a).array(), self.softening.to_f64());
         let [w1, w2] = bodies.map(|body| body.inv_mass().to_f64());
-        if bodies.iter().any(|body| body.is_driven()) {
+        if bodies.iter().any(|body| body.has_infinite_mass()) {
             return 0.0;
         }
         -self.constant.to_f64() * inverse / (w1 * w2)

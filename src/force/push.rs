@@ -4,11 +4,11 @@
 //! ticks, so that the velocity gained in n steps is `n h F / m` rounded once.
 
 use crate::body::Body;
+use crate::body::id::{self, BodyId};
 use crate::force::{Force, Frame, Reversible};
-use crate::id::{self, BodyId};
 use crate::scalar::Scalar;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Pushes one body with the same force in every step. Does nothing once the body is gone.

@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::force::{Force, PerStep, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// A force against the velocity and in proportion to its square, on every body.
 ///

@@ -40,9 +40,9 @@ pub trait ReversiblePair<B: Body>: PairForce<B> {
 /// same for the same time and positions whenever it is asked.
 ///
 /// ```
-/// use fixstep::{Body, PerBody, Point, PositionOnly, Time, Vec2, Watched, fixed::types::I16F16};
+/// use fixstep::{Body, PerBody, Point, PositionOnly, Time, Vec2, RangeChecked, fixed::types::I16F16};
 /// // A tide that turns every 600 ticks.
-/// let tide = PositionOnly(PerBody(|time: Time, _: &Watched<Point<I16F16>>| {
+/// let tide = PositionOnly(PerBody(|time: Time, _: &RangeChecked<Point<I16F16>>| {
 ///     let ebb = time.half_ticks() / 1200 % 2 == 0;
 ///     Vec2::new(if ebb { I16F16::ONE } else { -I16F16::ONE }, I16F16::ZERO)
 /// }));

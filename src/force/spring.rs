@@ -14,8 +14,8 @@ use crate::error::Error;
 use crate::force::{PairForce, PerStep, ReversiblePair, coefficient, is_none};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them.
@@ -79,9 +79,9 @@ impl<S: Scalar> Spring<S> {
         });
         let along = along();
         let length = along.length();
-        let closing = length.under(apart().dot(along));
-        let pull = stiffness.of(length.minus(self.rest_length));
-        along.with_length(pull.plus(damping.of(closing)), length)
+        let closing = S::quotient(apart().dot(along), length);
+        let pull = stiffness.scale(length.minus(self.rest_length));
+        along.with_length(pull.plus(damping.scale(closing)), length)
     }
 
     /// Its name, if it damps.

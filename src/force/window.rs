@@ -3,10 +3,10 @@
 use core::ops::Range;
 
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part, Reversible};
-use crate::id::BodyId;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// Any force, in the steps whose number lies in `ticks` and in no other.
 ///

@@ -11,12 +11,12 @@
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
 use super::{Method, copy, each, parabola};
-use crate::between::Between;
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::id::BodyId;
-use crate::step::TimeStep;
+use crate::time::Between;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.

@@ -12,10 +12,10 @@
 
 use super::{Method, copy, each};
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::id::BodyId;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]

@@ -27,12 +27,12 @@ mod rk4;
 mod semi_implicit;
 mod verlet;
 
-use crate::between::Between;
 use crate::body::Body;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::id::BodyId;
-use crate::step::TimeStep;
+use crate::time::Between;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 pub use constant_acceleration::ConstantAcceleration;

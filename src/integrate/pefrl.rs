@@ -25,14 +25,14 @@
 //! of motion in many-body systems", Comput. Phys. Commun. 146 (2002), arXiv:cond-mat/0110585.
 
 use super::{Method, Rewinds, damp, each, kick, parabola};
-use crate::between::Between;
-use crate::body::{Body, Turn};
+use crate::body::id::BodyId;
+use crate::body::{Body, Reverse};
 use crate::force::{Force, Part, PerStep};
-use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::step::TimeStep;
+use crate::time::Between;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// The method for orbits, and for anything else without friction that must stay in phase for long.
@@ -124,13 +124,13 @@ impl<S: Scalar, H: TimeStep<S>> TimeStep<S> for Share<S, H> {
     }
 
     #[inline]
-    fn of(&self, rate: S) -> S {
-        self.coef.of(rate)
+    fn times(&self, rate: S) -> S {
+        self.coef.scale(rate)
     }
 
     #[inline]
-    fn half_of(&self, rate: S) -> S {
-        self.of(rate).dyadic(1, 1)
+    fn half_times(&self, rate: S) -> S {
+        self.times(rate).dyadic(1, 1)
     }
 
     #[inline]
@@ -193,13 +193,13 @@ impl<B: Body, const N: usize> Method<B, N> for Pefrl<B::S> {
 }
 
 // The stages are the same from both ends, and its forces act at one instant.
-impl<B: Turn, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
+impl<B: Reverse, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
 
 /// `x += share v` for every body, which turns as much.
 #[inline]
 fn drift_by<B: Body>(bodies: &mut [B], share: <B::S as Scalar>::Coef) {
     each(bodies, |body| {
         body.drift_by(share);
-        body.coast_by(share);
+        body.drift_angle_by(share);
     });
 }

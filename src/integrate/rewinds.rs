@@ -15,17 +15,17 @@
 //! Stat. Phys. 72 (1993).
 
 use super::{Method, each};
-use crate::body::Turn;
+use crate::body::Reverse;
+use crate::body::id::BodyId;
 use crate::force::Reversible;
-use crate::id::BodyId;
-use crate::step::TimeStep;
+use crate::time::TimeStep;
 
 /// A method that can undo a step.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot undo a step",
     note = "`Verlet`, `Pefrl` and `SemiImplicitEuler` can"
 )]
-pub trait Rewinds<B: Turn, const N: usize>: Method<B, N> {
+pub trait Rewinds<B: Reverse, const N: usize>: Method<B, N> {
     /// The stages of a step in the opposite order, on bodies that were turned round. That is the step
     /// itself for a method that is the same from both ends, and whose forces all act at one instant.
     #[inline]
@@ -51,8 +51,8 @@ pub trait Rewinds<B: Turn, const N: usize>: Method<B, N> {
         step: &H,
         tick: u64,
     ) {
-        each(bodies, B::turn);
+        each(bodies, B::reverse);
         self.retrace(ids, bodies, forces, step, tick);
-        each(bodies, B::turn);
+        each(bodies, B::reverse);
     }
 }

@@ -25,15 +25,15 @@
 //! Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), section II.1.
 
 use super::{Method, copy, damp, parabola};
-use crate::between::Between;
 use crate::body::Body;
+use crate::body::Spin;
+use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part, PerStep};
-use crate::id::BodyId;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::spin::Spin;
-use crate::step::TimeStep;
+use crate::time::Between;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Runge-Kutta of order 4 for worlds of `N` bodies: where a force depends on velocity or time, and
@@ -182,8 +182,8 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
         self.each(bodies, |start, seen, live, k1| {
             *k1 = change(live);
             take(live, *k1);
-            *seen = state(start, start.velocity().map(|v| h.half_of(v)), half(*k1));
-            seen.turn_by(start.spin().half(), h.coef());
+            *seen = state(start, start.velocity().map(|v| h.half_times(v)), half(*k1));
+            seen.rotate_by(start.spin().half(), h.coef());
         });
 
         let now = Now::middle(step, tick);
@@ -191,9 +191,9 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
         self.evaluate(ids, forces, &now);
         self.each(bodies, |start, seen, live, _| {
             let spin = seen.spin();
-            let dx = seen.velocity().map(|v| h.half_of(v));
+            let dx = seen.velocity().map(|v| h.half_times(v));
             *seen = state(start, dx, half(change(live)));
-            seen.turn_by(spin.half(), h.coef());
+            seen.rotate_by(spin.half(), h.coef());
         });
 
         // Now `live` holds k2 + k3, of which k2/2 = v3 - v gives k3 to a unit: enough for v4.
@@ -207,12 +207,12 @@ impl<B: Body, const N: usize> Method<B, N> for Rk4<B, N> {
                 both.0 - rise - rise,
                 both.1.sum(rise_of_spin).sum(rise_of_spin),
             );
-            *seen = state(body, v3.map(|v| h.of(v)), k3);
-            seen.turn_by(spin, h.coef());
+            *seen = state(body, v3.map(|v| h.times(v)), k3);
+            seen.rotate_by(spin, h.coef());
             take(live, both);
             body.drift(&h);
             body.move_by(k1.0 + both.0, h_sixth);
-            body.turn_by(k1.1.sum(both.1), h_sixth);
+            body.rotate_by(k1.1.sum(both.1), h_sixth);
             body.kick_by(both.0, third);
             body.twist_part(both.1, third);
         });

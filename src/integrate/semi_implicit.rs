@@ -12,11 +12,11 @@
 //! method", Acta Numerica 12 (2003), section 1.
 
 use super::{Method, Rewinds, advance, drift, each_whole, kick};
-use crate::body::{Body, Turn};
+use crate::body::id::BodyId;
+use crate::body::{Body, Reverse};
 use crate::force::{Force, Frame, Part, Reversible};
-use crate::id::BodyId;
-use crate::step::TimeStep;
 use crate::time::Now;
+use crate::time::TimeStep;
 
 /// Semi-implicit Euler: the cheapest method that is stable for springs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl<B: Body, const N: usize> Method<B, N> for SemiImplicitEuler {
 }
 
 // Kick, drift is undone by its adjoint: drift, kick.
-impl<B: Turn, const N: usize> Rewinds<B, N> for SemiImplicitEuler {
+impl<B: Reverse, const N: usize> Rewinds<B, N> for SemiImplicitEuler {
     fn retrace<F: Reversible<B>, H: TimeStep<B::S>>(
         &mut self,
         ids: &[BodyId],

@@ -16,12 +16,12 @@
 //! method", Acta Numerica 12 (2003), section 1.
 
 use super::{Method, Rewinds, advance, damp, each_whole, parabola};
-use crate::between::Between;
-use crate::body::{Body, Turn};
+use crate::body::id::BodyId;
+use crate::body::{Body, Reverse};
 use crate::force::{Force, Frame, Part};
-use crate::id::BodyId;
-use crate::step::TimeStep;
+use crate::time::Between;
 use crate::time::Now;
+use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
 /// Verlet, drift-kick-drift: the default for bodies that touch nothing.
@@ -70,4 +70,4 @@ impl<B: Body, const N: usize> Method<B, N> for Verlet {
 }
 
 // Drift, kick, drift is the same from both ends, and its forces act at one instant.
-impl<B: Turn, const N: usize> Rewinds<B, N> for Verlet {}
+impl<B: Reverse, const N: usize> Rewinds<B, N> for Verlet {}

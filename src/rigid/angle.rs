@@ -1,8 +1,8 @@
 //! Angles, and what turns a vector by one.
 
-use crate::between::Between;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, Turns};
+use crate::time::Between;
 use crate::vec2::Vec2;
 
 /// An angle: a fraction of a turn that uses all bits of an integer, `2^-32` turns beside a 32-bit scalar.
@@ -15,7 +15,7 @@ use crate::vec2::Vec2;
 /// let quarter = Angle::<I16F16>::turns(dec!(0.25));
 /// assert_eq!(quarter + quarter + quarter + quarter, Angle::ZERO);
 /// assert_eq!(quarter, Angle::degrees(90));
-/// assert_eq!(quarter.rotation().turn(vec2(3, 1)?), vec2(-1, 3)?);
+/// assert_eq!(quarter.rotation().rotate(vec2(3, 1)?), vec2(-1, 3)?);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl<S: Angular> Angle<S> {
     /// The angle of that count.
     #[inline]
     #[must_use]
-    pub const fn of_count(count: S::Turns) -> Angle<S> {
+    pub const fn from_count(count: S::Turns) -> Angle<S> {
         Angle(count)
     }
 
@@ -113,7 +113,7 @@ impl<S: Angular> Rotation<S> {
     /// `v` turned: from the axes of a body to those of the world. Each part is rounded once.
     #[inline]
     #[must_use]
-    pub fn turn(self, v: Vec2<S>) -> Vec2<S> {
+    pub fn rotate(self, v: Vec2<S>) -> Vec2<S> {
         let [x, y] = S::rotated(self.0, v.array());
         Vec2 { x, y }
     }
@@ -121,22 +121,22 @@ impl<S: Angular> Rotation<S> {
     /// `v` turned back: from the axes of the world to those of a body.
     #[inline]
     #[must_use]
-    pub fn turn_back(self, v: Vec2<S>) -> Vec2<S> {
+    pub fn rotate_back(self, v: Vec2<S>) -> Vec2<S> {
         let [cos, sin] = self.0;
-        Rotation([cos, S::opposite(sin)]).turn(v)
+        Rotation([cos, S::opposite(sin)]).rotate(v)
     }
 
     /// The cosine, rounded to the scalar.
     #[inline]
     #[must_use]
     pub fn cos(self) -> S {
-        S::of_unit(self.0[0])
+        S::from_unit(self.0[0])
     }
 
     /// The sine, rounded to the scalar.
     #[inline]
     #[must_use]
     pub fn sin(self) -> S {
-        S::of_unit(self.0[1])
+        S::from_unit(self.0[1])
     }
 }

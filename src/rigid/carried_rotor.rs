@@ -3,7 +3,7 @@
 use super::angle::Angle;
 use super::rotor::{Rotor, is_inverse};
 use crate::scalar::CarryAngular;
-use crate::step::Revolve;
+use crate::time::Revolve;
 
 /// The rotor that keeps what its roundings leave over: an angle of twice the bits, and a remainder of the
 /// spin. By a method that drifts whole or half steps turns at a
@@ -13,36 +13,36 @@ pub struct CarriedRotor<S: CarryAngular> {
     angle: S::Fine,
     spin: S,
     inv_inertia: S::Coef,
-    rest: S::Rest,
+    remainder: S::Remainder,
 }
 
 impl<S: CarryAngular> CarriedRotor<S> {
     #[inline]
-    fn kept(&self) -> (S, S::Rest) {
-        (self.spin, self.rest)
+    fn kept(&self) -> (S, S::Remainder) {
+        (self.spin, self.remainder)
     }
 
     #[inline]
-    fn set_kept(&mut self, (spin, rest): (S, S::Rest)) {
-        (self.spin, self.rest) = (spin, rest);
+    fn set_kept(&mut self, (spin, remainder): (S, S::Remainder)) {
+        (self.spin, self.remainder) = (spin, remainder);
     }
 
     /// Angle and remainder of the spin, for a snapshot.
-    pub(crate) const fn parts(&self) -> (S::Fine, S::Rest) {
-        (self.angle, self.rest)
+    pub(crate) const fn parts(&self) -> (S::Fine, S::Remainder) {
+        (self.angle, self.remainder)
     }
 
     /// From a state that was one before, NaN and all; `None` where no body has the inverse inertia.
     pub(crate) fn from_parts(
         angle: S::Fine,
-        (spin, rest): (S, S::Rest),
+        (spin, remainder): (S, S::Remainder),
         inv_inertia: S::Coef,
     ) -> Option<Self> {
         is_inverse::<S>(inv_inertia).then_some(CarriedRotor {
             angle,
             spin,
             inv_inertia,
-            rest,
+            remainder,
         })
     }
 }
@@ -50,13 +50,13 @@ impl<S: CarryAngular> CarriedRotor<S> {
 impl<S: CarryAngular> Revolve<S> for CarriedRotor<S> {
     #[inline(always)]
     fn revolved(self, h: S::Coef, halvings: u32) -> Self {
-        let angle = S::fine_turned(self.angle, self.kept(), h, halvings);
+        let angle = S::fine_rotated(self.angle, self.kept(), h, halvings);
         CarriedRotor { angle, ..self }
     }
 
     #[inline(always)]
     fn revolved_dyadic(self, num: u32, shift: u32) -> Self {
-        let angle = S::fine_turned_dyadic(self.angle, self.kept(), num, shift);
+        let angle = S::fine_rotated_dyadic(self.angle, self.kept(), num, shift);
         CarriedRotor { angle, ..self }
     }
 }
@@ -68,13 +68,13 @@ impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
             angle: S::fine(Angle::<S>::ZERO.count()),
             spin: S::ZERO,
             inv_inertia,
-            rest: S::NO_REST,
+            remainder: S::NO_REMAINDER,
         }
     }
 
     #[inline]
     fn angle(&self) -> Angle<S> {
-        Angle::of_count(S::coarse(self.angle))
+        Angle::from_count(S::coarse(self.angle))
     }
 
     #[inline]
@@ -94,12 +94,12 @@ impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
 
     #[inline]
     fn set_spin(&mut self, spin: S) {
-        self.set_kept((spin, S::NO_REST));
+        self.set_kept((spin, S::NO_REMAINDER));
     }
 
     #[inline]
-    fn turn_by(&mut self, spin: S, factor: S::Coef) {
-        self.angle = S::fine_turned(self.angle, (spin, S::NO_REST), factor, 0);
+    fn rotate_by(&mut self, spin: S, factor: S::Coef) {
+        self.angle = S::fine_rotated(self.angle, (spin, S::NO_REMAINDER), factor, 0);
     }
 
     #[inline]
@@ -124,7 +124,7 @@ impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
 
     #[inline]
     fn reverse(&mut self) {
-        self.set_kept(S::turned(self.kept()));
+        self.set_kept(S::reversed(self.kept()));
     }
 
     fn spin_to_f64(&self) -> f64 {
@@ -133,6 +133,6 @@ impl<S: CarryAngular> Rotor<S> for CarriedRotor<S> {
 
     fn write_left_over(&self, write: &mut impl FnMut(u64)) {
         S::fine_halves(self.angle).into_iter().for_each(&mut *write);
-        write(S::rest_left_over(self.rest));
+        write(S::remainder_left_over(self.remainder));
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! A [`Rigid`] is a body of rung one, its centre of mass, with a [rotor]. It has all the verbs of its centre,
 //! so worlds, methods and forces of rung one move it as they move points; what is about rotation is
-//! [`Rotating`], and [`torque`](crate::torque) has the forces that turn.
+//! [`Rotating`], and [`torque`](crate::rigid::torque) has the forces that turn.
 //!
 //! Source: Hecker, "Physics, Part 2: Angular Effects" (Game Developer, 1996).
 
@@ -17,14 +17,15 @@ mod rotating;
 pub mod rotor;
 mod saved;
 mod state;
+pub mod torque;
 
+use crate::body::Carried;
+use crate::body::Point;
 use crate::body::{Body, finite};
-use crate::carried::Carried;
 use crate::error::Error;
-use crate::point::Point;
+use crate::mass::MassProperties;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, CarryAngular, Factor, Scalar};
-use crate::shape::MassProperties;
 use crate::vec2::Vec2;
 
 pub use angle::{Angle, Rotation};
@@ -39,7 +40,7 @@ pub trait Centre: Body<S: Angular> + From<Point<<Self as Body>::S>> {
     type Rotor: Rotor<Self::S>;
 
     /// One that no force moves. Refuses NaN and infinity.
-    fn driven(position: Vec2<Self::S>, velocity: Vec2<Self::S>) -> Result<Self, Error>;
+    fn kinematic(position: Vec2<Self::S>, velocity: Vec2<Self::S>) -> Result<Self, Error>;
 
     /// The same with another inverse mass, which nothing checks; for what reads and writes bodies.
     #[must_use]
@@ -57,13 +58,13 @@ macro_rules! centre {
         impl<S: $scalar> Centre for $centre<S> {
             type Rotor = $rotor<S>;
 
-            fn driven(position: Vec2<S>, velocity: Vec2<S>) -> Result<Self, Error> {
+            fn kinematic(position: Vec2<S>, velocity: Vec2<S>) -> Result<Self, Error> {
                 let point = Point::new(position, velocity, 1)?;
-                Ok($centre::from(point).with_inv_mass(S::DRIVEN))
+                Ok($centre::from(point).with_inv_mass(S::INFINITE_MASS))
             }
 
             fn with_inv_mass(self, inv_mass: S::InvMass) -> Self {
-                self.of_inv_mass(inv_mass)
+                self.with_inv_mass(inv_mass)
             }
 
             fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
@@ -134,16 +135,19 @@ impl<C: Centre> Rigid<C> {
     }
 
     /// The body that has these mass properties, with its centre where theirs is: a
-    /// [`shape`](crate::shape), or what is made of several. Refuses what [`Point::new`] and [`Rigid::new`] refuse.
+    /// [`shape`](crate::mass), or what is made of several. Refuses what [`Point::new`] and [`Rigid::new`] refuse.
     ///
     /// ```
     /// use fixstep::{dec, shape, vec2, Point, Rigid};
-    /// let plate = shape::rectangle::<f32>(1, dec!(0.5))?.of_density(10)?;
-    /// let body = Rigid::<Point<_>>::of(&plate.at(vec2(3, 4)?)?, vec2(0, 0)?)?;
+    /// let plate = mass::rectangle::<f32>(1, dec!(0.5))?.with_density(10)?;
+    /// let body = Rigid::<Point<_>>::from_properties(&plate.at(vec2(3, 4)?)?, vec2(0, 0)?)?;
     /// assert_eq!(body.position(), vec2(3, 4)?);
     /// # Ok::<(), fixstep::Error>(())
     /// ```
-    pub fn of(properties: &MassProperties<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error> {
+    pub fn from_properties(
+        properties: &MassProperties<C::S>,
+        velocity: Vec2<C::S>,
+    ) -> Result<Rigid<C>, Error> {
         let centre = Point::new(properties.centre(), velocity, properties.mass())?;
         Rigid::new(centre.into(), properties.inertia())
     }
@@ -159,12 +163,12 @@ impl<C: Centre> Rigid<C> {
     /// NaN and infinity.
     #[inline]
     pub fn kinematic(position: Vec2<C::S>, velocity: Vec2<C::S>) -> Result<Rigid<C>, Error> {
-        C::driven(position, velocity).map(Self::locked)
+        C::kinematic(position, velocity).map(Self::locked)
     }
 
     /// A static body: one that stays where it is. Refuses NaN and infinity.
     #[inline]
-    pub fn fixed(position: Vec2<C::S>) -> Result<Rigid<C>, Error> {
+    pub fn static_at(position: Vec2<C::S>) -> Result<Rigid<C>, Error> {
         Self::kinematic(position, Vec2::ZERO)
     }
 
@@ -195,7 +199,7 @@ impl<C: Centre> Rigid<C> {
     #[must_use]
     pub fn kind(&self) -> Kind {
         let at_rest = self.velocity() == Vec2::ZERO && self.spin() == C::S::ZERO;
-        match (self.is_driven(), at_rest) {
+        match (self.has_infinite_mass(), at_rest) {
             (false, _) => Kind::Dynamic,
             (true, false) => Kind::Kinematic,
             (true, true) => Kind::Static,
@@ -269,7 +273,7 @@ impl<S: CarryAngular> Rigid<Carried<S>> {
     /// ```
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
-        match self.is_driven() {
+        match self.has_infinite_mass() {
             true => Vec2::ZERO,
             false => self.centre.momentum(),
         }

@@ -4,9 +4,9 @@ use super::angle::{Angle, Rotation};
 use super::rotor::Rotor;
 use super::{Centre, Rigid};
 use crate::body::Body;
+use crate::body::RangeChecked;
 use crate::scalar::{Angular, Scalar};
 use crate::vec2::Vec2;
-use crate::watched::Watched;
 
 type Coef<B> = <<B as Body>::S as Scalar>::Coef;
 
@@ -57,7 +57,7 @@ pub trait Rotating: Body<S: Angular> {
 
     /// An angular impulse, kg m²/s: `s += L / 2πI`.
     #[inline]
-    fn push_round(&mut self, angular_impulse: Self::S) {
+    fn push_angular(&mut self, angular_impulse: Self::S) {
         self.twist_by(angular_impulse, self.inv_inertia());
     }
 
@@ -65,14 +65,14 @@ pub trait Rotating: Body<S: Angular> {
     #[inline]
     #[must_use]
     fn to_world(&self, own: Vec2<Self::S>) -> Vec2<Self::S> {
-        self.position() + self.rotation().turn(own)
+        self.position() + self.rotation().rotate(own)
     }
 
     /// Where a point of the world is in the axes of the body.
     #[inline]
     #[must_use]
     fn to_own(&self, world: Vec2<Self::S>) -> Vec2<Self::S> {
-        self.rotation().turn_back(world - self.position())
+        self.rotation().rotate_back(world - self.position())
     }
 
     /// What turns the axes of the body to those of the world.
@@ -153,7 +153,7 @@ impl<C: Centre> Rotating for Rigid<C> {
     }
 }
 
-impl<B: Rotating> Rotating for Watched<B> {
+impl<B: Rotating> Rotating for RangeChecked<B> {
     #[inline]
     fn angle(&self) -> Angle<B::S> {
         self.body().angle()

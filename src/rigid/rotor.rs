@@ -13,7 +13,7 @@ use core::fmt::Debug;
 use super::angle::Angle;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, Factor, Scalar};
-use crate::step::Revolve;
+use crate::time::Revolve;
 
 /// The half of a rigid body that turns.
 pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
@@ -40,7 +40,7 @@ pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
     fn set_spin(&mut self, spin: S);
 
     /// `θ += factor * spin`, of a spin that is not its own.
-    fn turn_by(&mut self, spin: S, factor: S::Coef);
+    fn rotate_by(&mut self, spin: S, factor: S::Coef);
 
     /// `s += change`.
     fn twist(&mut self, change: S);
@@ -91,8 +91,8 @@ impl<S: Angular> PlainRotor<S> {
 /// Whether a body can have it as `1 / 2πI`: zero, or finite and greater.
 pub(super) fn is_inverse<S: Scalar>(inv_inertia: S::Coef) -> bool {
     // The least coefficient rounds to nothing even of the largest scalar: a million of it do not.
-    let greater = |million| S::product(inv_inertia, million).of(S::MAX) > S::ZERO;
-    let finite = inv_inertia.of(S::ZERO) == S::ZERO;
+    let greater = |million| S::product(inv_inertia, million).scale(S::MAX) > S::ZERO;
+    let finite = inv_inertia.scale(S::ZERO) == S::ZERO;
     inv_inertia == S::ZERO.coef()
         || finite && S::Coef::new(Ratio::from(1_000_000)).is_some_and(greater)
 }
@@ -123,7 +123,7 @@ impl<S: Angular> Rotor<S> for PlainRotor<S> {
 
     #[inline]
     fn angle(&self) -> Angle<S> {
-        Angle::of_count(self.angle)
+        Angle::from_count(self.angle)
     }
 
     #[inline]
@@ -147,7 +147,7 @@ impl<S: Angular> Rotor<S> for PlainRotor<S> {
     }
 
     #[inline]
-    fn turn_by(&mut self, spin: S, factor: S::Coef) {
+    fn rotate_by(&mut self, spin: S, factor: S::Coef) {
         self.angle = S::advanced(self.angle, spin, factor, 0);
     }
 
@@ -158,7 +158,7 @@ impl<S: Angular> Rotor<S> for PlainRotor<S> {
 
     #[inline]
     fn twist_by(&mut self, value: S, factor: S::Coef) {
-        self.twist(factor.of(value));
+        self.twist(factor.scale(value));
     }
 
     #[inline]

@@ -20,7 +20,7 @@ use super::{Centre, Rigid};
 use crate::body::Body;
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, CarryAngular, Factor, Scalar, Stored, Turns};
-use crate::snapshot::Saved;
+use crate::world::snapshot::Saved;
 
 /// A rotor that a snapshot can hold.
 pub trait SavedRotor: Sized {
@@ -45,16 +45,16 @@ impl<S: Angular<Coef: Stored> + Stored> SavedRotor for PlainRotor<S> {
     }
 
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self> {
-        let angle = S::Turns::of_bits(read(size_of::<S::Turns>()))?;
+        let angle = S::Turns::from_bits(read(size_of::<S::Turns>()))?;
         let spin = S::restore(read(S::BYTES))?;
         let inv_inertia = S::Coef::restore(read(<S::Coef as Stored>::BYTES))?;
-        PlainRotor::from_parts(Angle::of_count(angle), spin, inv_inertia)
+        PlainRotor::from_parts(Angle::from_count(angle), spin, inv_inertia)
     }
 }
 
 impl<S: CarryAngular<Coef: Stored> + Stored> SavedRotor for CarriedRotor<S> {
     const BYTES: usize =
-        2 * size_of::<S::Turns>() + S::BYTES + <S::Coef as Stored>::BYTES + S::REST_BYTES;
+        2 * size_of::<S::Turns>() + S::BYTES + <S::Coef as Stored>::BYTES + S::REMAINDER_BYTES;
 
     fn save(&self, write: &mut impl FnMut(u64, usize)) {
         let (angle, rest) = self.parts();
@@ -63,28 +63,28 @@ impl<S: CarryAngular<Coef: Stored> + Stored> SavedRotor for CarriedRotor<S> {
         }
         write(self.spin().store(), S::BYTES);
         write(self.inv_inertia().store(), <S::Coef as Stored>::BYTES);
-        write(S::rest_bits(rest), S::REST_BYTES);
+        write(S::remainder_bits(rest), S::REMAINDER_BYTES);
     }
 
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self> {
         let mut half = || read(size_of::<S::Turns>());
-        let angle = S::of_fine_halves([half(), half()])?;
+        let angle = S::from_fine_halves([half(), half()])?;
         let spin = S::restore(read(S::BYTES))?;
         let inv_inertia = S::Coef::restore(read(<S::Coef as Stored>::BYTES))?;
-        let rest = S::of_rest_bits(read(S::REST_BYTES))?;
+        let rest = S::from_remainder_bits(read(S::REMAINDER_BYTES))?;
         CarriedRotor::from_parts(angle, (spin, rest), inv_inertia)
     }
 }
 
 /// The inverse mass that a driven centre has while it is written: that of 1 kg.
 fn lent<S: Angular>() -> S::InvMass {
-    S::InvMass::new(Ratio::from(1)).unwrap_or(S::DRIVEN)
+    S::InvMass::new(Ratio::from(1)).unwrap_or(S::INFINITE_MASS)
 }
 
 impl<C: Centre> Rigid<C> {
     /// Whether it is driven, its centre with a mass that can be written, and its rotor.
     pub(crate) fn parts(&self) -> (bool, C, &C::Rotor) {
-        let (driven, centre) = match self.is_driven() {
+        let (driven, centre) = match self.has_infinite_mass() {
             true => (true, self.centre.with_inv_mass(lent::<C::S>())),
             false => (false, self.centre),
         };
@@ -97,7 +97,7 @@ impl<C: Centre> Rigid<C> {
             return Some(Rigid { centre, rotor });
         }
         let unmoved = centre.inv_mass() == lent::<C::S>();
-        let centre = centre.with_inv_mass(C::S::DRIVEN);
+        let centre = centre.with_inv_mass(C::S::INFINITE_MASS);
         let unturned = rotor.inv_inertia() == C::S::ZERO.coef();
         (unmoved && unturned).then_some(Rigid { centre, rotor })
     }

@@ -5,10 +5,10 @@
 
 use super::rotor::Rotor;
 use super::{Centre, Rigid};
-use crate::body::{Body, Turn};
-use crate::point::Point;
+use crate::body::Point;
+use crate::body::{Body, Reverse};
 use crate::scalar::{Angular, Exact, Factor, Scalar};
-use crate::step::{Revolve, TimeStep};
+use crate::time::{Revolve, TimeStep};
 use crate::vec2::Vec2;
 
 type Coef<B> = <<B as Body>::S as Scalar>::Coef;
@@ -34,49 +34,49 @@ impl<C: Centre> Body for Rigid<C> {
 
     #[inline]
     fn kick(&mut self, dv: Vec2<C::S>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.kick(dv);
         }
     }
 
     #[inline]
     fn kick_y(&mut self, dv: C::S) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.kick_y(dv);
         }
     }
 
     #[inline]
     fn kick_by(&mut self, value: Vec2<C::S>, factor: Coef<C>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.kick_by(value, factor);
         }
     }
 
     #[inline]
     fn brake_by(&mut self, value: Vec2<C::S>, factor: Coef<C>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.brake_by(value, factor);
         }
     }
 
     #[inline]
     fn push(&mut self, impulse: Vec2<C::S>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.push(impulse);
         }
     }
 
     #[inline]
     fn damp(&mut self, loss: Coef<C>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.damp(loss);
         }
     }
 
     #[inline]
     fn kick_from(&mut self, from: Vec2<C::S>, factor: Coef<C>) {
-        if !self.is_driven() {
+        if !self.has_infinite_mass() {
             self.centre.kick_from(from, factor);
         }
     }
@@ -100,13 +100,13 @@ impl<C: Centre> Body for Rigid<C> {
     #[inline(always)]
     fn drift(&mut self, step: &impl TimeStep<C::S>) {
         self.centre.drift(step);
-        self.coast(step);
+        self.drift_angle(step);
     }
 
     #[inline(always)]
     fn drift_half(&mut self, step: &impl TimeStep<C::S>) {
         self.centre.drift_half(step);
-        self.coast_half(step);
+        self.drift_angle_half(step);
     }
 
     #[inline]
@@ -140,28 +140,28 @@ impl<C: Centre> Body for Rigid<C> {
     }
 
     #[inline(always)]
-    fn coast(&mut self, step: &impl TimeStep<C::S>) {
+    fn drift_angle(&mut self, step: &impl TimeStep<C::S>) {
         self.rotor = step.revolve(self.rotor);
     }
 
     #[inline(always)]
-    fn coast_half(&mut self, step: &impl TimeStep<C::S>) {
+    fn drift_angle_half(&mut self, step: &impl TimeStep<C::S>) {
         self.rotor = step.revolve_half(self.rotor);
     }
 
     #[inline]
-    fn coast_by(&mut self, factor: Coef<C>) {
+    fn drift_angle_by(&mut self, factor: Coef<C>) {
         self.rotor = self.rotor.revolved(factor, 0);
     }
 
     #[inline]
-    fn turn_by(&mut self, spin: C::S, factor: Coef<C>) {
-        self.rotor.turn_by(spin, factor);
+    fn rotate_by(&mut self, spin: C::S, factor: Coef<C>) {
+        self.rotor.rotate_by(spin, factor);
     }
 
     #[inline]
-    fn is_driven(&self) -> bool {
-        self.inv_mass() == C::S::DRIVEN
+    fn has_infinite_mass(&self) -> bool {
+        self.inv_mass() == C::S::INFINITE_MASS
     }
 
     // With s = ω / 2π and the inverse i = 1 / 2πI: I ω²/2 = π s² / i and I ω = s / i.
@@ -190,10 +190,10 @@ impl<C: Centre> Body for Rigid<C> {
     }
 }
 
-impl<S: Angular + Exact> Turn for Rigid<Point<S>> {
+impl<S: Angular + Exact> Reverse for Rigid<Point<S>> {
     #[inline]
-    fn turn(&mut self) {
-        self.centre.turn();
+    fn reverse(&mut self) {
+        self.centre.reverse();
         self.rotor.reverse();
     }
 }

@@ -16,7 +16,7 @@ use fixed::{FixedI32, FixedI64};
 
 use super::Scalar;
 use super::factor::Coef;
-use super::raw::Raw;
+use super::integer::Raw;
 
 /// Doublings from which nothing is left of a velocity.
 const ENOUGH: u32 = 7;
@@ -59,7 +59,7 @@ macro_rules! fixed_decay {
                     terms
                 };
                 let times = |a: $raw, b: $raw| $raw::rounded(a.product(b), FRACTION);
-                let of = |value| Coef::of_raw(value, FRACTION);
+                let of = |value| Coef::from_raw(value, FRACTION);
                 let (mantissa, shift) = x.parts();
                 // x < 2^above, so that this many halvings bring it to 1/2 or below.
                 let above = $raw::BITS as i32 - mantissa.leading_zeros() as i32 - shift as i32;
@@ -69,8 +69,8 @@ macro_rules! fixed_decay {
                 }
                 if doublings > ENOUGH {
                     let up = mantissa.leading_zeros() - 1;
-                    let inverse = Coef::of_raw(mantissa << up, shift + up).inverse();
-                    let rest = ONE - inverse.of(ONE);
+                    let inverse = Coef::from_raw(mantissa << up, shift + up).inverse();
+                    let rest = ONE - inverse.scale(ONE);
                     return [of(ONE), inverse, inverse.times(of(rest))];
                 }
                 let y = match (shift + doublings).checked_sub(FRACTION) {
@@ -99,7 +99,7 @@ macro_rules! fixed_decay {
                 const TOP: u32 = $raw::BITS - 2;
                 let (mantissa, shift) = q.parts();
                 if mantissa <= 0 {
-                    return Coef::of_raw(0, 1);
+                    return Coef::from_raw(0, 1);
                 }
                 let up = (mantissa.leading_zeros() - 1).min(2 * $raw::BITS - 2 - shift);
                 let (mantissa, shift) = (mantissa << up, shift + up);
@@ -107,12 +107,12 @@ macro_rules! fixed_decay {
                     None | Some(0) => {
                         let divisor = (mantissa >> 1) + ((1 << shift) >> 1);
                         let value = $raw::quotient(mantissa.product(1 << (TOP - 1)), divisor);
-                        Coef::of_raw(value, TOP)
+                        Coef::from_raw(value, TOP)
                     }
                     Some(down) => {
                         let divisor = (mantissa >> down.min($raw::BITS - 1)) + (1 << TOP);
                         let value = $raw::quotient(mantissa.product(1 << TOP), divisor);
-                        Coef::of_raw(value, shift)
+                        Coef::from_raw(value, shift)
                     }
                 }
             }

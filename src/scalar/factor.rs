@@ -17,7 +17,7 @@
 //! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Taken by turns, one below and one
 //! above `h`, they cancel, and the mean of the two is within one unit of `h`.
 
-use super::raw::Raw;
+use super::integer::Raw;
 use crate::ratio::Ratio;
 
 /// A coefficient `m / 2^k` beside a scalar stored in `R`.
@@ -81,7 +81,7 @@ impl<R: Raw> Coef<R> {
 
     /// `value / 2^shift`; the shift lies within the range of a coefficient's.
     #[inline]
-    pub(super) const fn of_raw(value: R, shift: u32) -> Coef<R> {
+    pub(super) const fn from_raw(value: R, shift: u32) -> Coef<R> {
         Coef {
             mantissa: value,
             shift,
@@ -124,7 +124,7 @@ impl<R: Raw> Coef<R> {
     }
 
     // Not `#[inline]`, as some others: shared where size counts.
-    pub(super) fn of(self, value: R) -> R {
+    pub(super) fn scale(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }
 
@@ -146,7 +146,7 @@ impl<R: Raw> Coef<R> {
             Some(excess) => {
                 let shift = excess.min(R::BITS);
                 Coef {
-                    mantissa: Coef { mantissa, shift }.of(R::signed(1, false)),
+                    mantissa: Coef { mantissa, shift }.scale(R::signed(1, false)),
                     shift: Self::MAX_SHIFT,
                 }
             }
@@ -173,7 +173,7 @@ impl<R: Raw> Span<R> {
     #[inline(always)]
     pub(super) fn new(ratio: Ratio) -> Option<Span<R>> {
         let (magnitude, exponent) = ratio.floor_mantissa(R::BITS - 1);
-        Self::of_odd(magnitude | 1, exponent, ratio)
+        Self::from_odd(magnitude | 1, exponent, ratio)
     }
 
     /// The odd mantissas on either side. At the top of a power of two there may be but one.
@@ -186,19 +186,19 @@ impl<R: Raw> Span<R> {
         } else {
             below
         };
-        let of = |odd| Self::of_odd(odd, exponent, ratio);
+        let of = |odd| Self::from_odd(odd, exponent, ratio);
         Some([of(below)?, of(above)?])
     }
 
     #[inline(always)]
-    fn of_odd(odd: u64, exponent: i32, ratio: Ratio) -> Option<Span<R>> {
+    fn from_odd(odd: u64, exponent: i32, ratio: Ratio) -> Option<Span<R>> {
         let mantissa = R::signed(odd, ratio.num() < 0);
         let shift = u32::try_from(-exponent).ok()?.checked_sub(R::BITS)?;
         (ratio.num() != 0 && (1..R::BITS).contains(&shift)).then_some(Span { mantissa, shift })
     }
 
     #[inline]
-    pub(super) fn of(self, value: R) -> R {
+    pub(super) fn scale(self, value: R) -> R {
         value.high_product(self.mantissa).half_up(self.shift)
     }
 
@@ -220,8 +220,8 @@ impl<R: Raw> InvMass<R> {
             .then(|| InvMass(R::signed(mantissa << 5 | shift as u64, false)))
     }
 
-    pub(super) fn of(self, value: R) -> R {
-        Coef::from(self).of(value)
+    pub(super) fn scale(self, value: R) -> R {
+        Coef::from(self).scale(value)
     }
 
     /// `1 / self`: exact for powers of two.

@@ -15,7 +15,7 @@ macro_rules! float_scalar {
             }
 
             #[inline]
-            fn of(self, value: $float) -> $float {
+            fn scale(self, value: $float) -> $float {
                 self * value
             }
 
@@ -101,8 +101,8 @@ macro_rules! float_scalar {
             }
 
             #[inline]
-            fn under(self, sum: $float) -> $float {
-                if self > 0.0 { sum / self } else { 0.0 }
+            fn quotient(sum: $float, divisor: Self) -> $float {
+                if divisor > 0.0 { sum / divisor } else { 0.0 }
             }
 
             #[inline]

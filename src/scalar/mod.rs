@@ -17,47 +17,27 @@
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
 
 mod angular;
-mod angular_fixed;
-mod angular_float;
-#[cfg_attr(
-    not(all(target_arch = "arm", not(target_has_atomic = "32"))),
-    allow(dead_code)
-)]
-mod bitwise;
 mod carry;
-mod carry_fixed;
-mod carry_float;
-mod circle;
 mod decay;
-#[cfg_attr(
-    all(target_arch = "arm", not(target_has_atomic = "32")),
-    allow(dead_code)
-)]
-mod division;
 mod factor;
-mod fine;
-mod fixed_point;
+mod fixed;
 mod float;
-mod high_product;
 mod integer;
 mod rational;
-mod raw;
 mod stored;
-mod turns;
 
 use core::fmt::Debug;
 
 use crate::ratio::Ratio;
 
-pub(crate) use division::{Word, divide_words};
+pub(crate) use integer::{Word, divide_words};
 
-pub use angular::{Angular, CarryAngular};
+pub use angular::{Angular, CarryAngular, Turns};
 pub use carry::Carry;
 pub use decay::Decay;
 pub use factor::{Coef, Gain, InvMass, Span};
 pub use rational::Rational;
 pub use stored::Stored;
-pub use turns::Turns;
 
 /// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
@@ -68,7 +48,7 @@ pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
 
     /// `self * value`: nearest, odd, saturating.
     #[must_use]
-    fn of(self, value: S) -> S;
+    fn scale(self, value: S) -> S;
 
     /// The factor as it is represented, for reports and references.
     #[must_use]
@@ -163,7 +143,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
 
     /// `sum / self`: nearest, odd, saturating; zero where `self` is not greater than zero.
     #[must_use]
-    fn under(self, sum: Self::Sum) -> Self;
+    fn quotient(sum: Self::Sum, divisor: Self) -> Self;
 
     /// `sqrt(v.x² + v.y²)`. Fixed point forms the squares in the wide type: nearest, saturating.
     /// Floats form them in their own: infinite from about 1e19 in `f32`.
@@ -192,7 +172,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     #[inline]
     #[must_use]
     fn lost(self, loss: Self::Coef) -> Self {
-        loss.of(self)
+        loss.scale(self)
     }
 
     /// Whether the value is neither at an end of the range nor NaN nor infinite.

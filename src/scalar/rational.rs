@@ -10,7 +10,7 @@ use super::Scalar;
 use crate::ratio::Ratio;
 
 /// A number type whose numbers are fractions. Implement it for a number type of your own, and
-/// [shapes](crate::shape) take it.
+/// [shapes](crate::mass) take it.
 ///
 /// ```
 /// use fixstep::{dec, fixed::types::I16F16, Rational};

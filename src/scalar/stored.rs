@@ -91,6 +91,6 @@ impl Stored for Coef<i32> {
     fn restore(bits: u64) -> Option<Self> {
         let (mantissa, shift) = (bits as i32, u32::try_from(bits >> 32).ok()?);
         let whole = mantissa == 0 || mantissa.unsigned_abs() >> (i32::BITS - 2) == 1;
-        (whole && (1..=Self::MAX_SHIFT).contains(&shift)).then(|| Coef::of_raw(mantissa, shift))
+        (whole && (1..=Self::MAX_SHIFT).contains(&shift)).then(|| Coef::from_raw(mantissa, shift))
     }
 }

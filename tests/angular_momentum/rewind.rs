@@ -1,12 +1,12 @@
 //! Bodies that turn, on undamped springs off their centres, and back: to the bit.
 
-use fixstep::{GravityY, Pefrl, Rewinds, SemiImplicitEuler, Watched};
+use fixstep::{GravityY, Pefrl, RangeChecked, Rewinds, SemiImplicitEuler};
 
 use super::*;
 
 const STEPS: u64 = 10_000;
 
-type Flyer = Watched<Rigid<Point<I16F16>>>;
+type Flyer = RangeChecked<Rigid<Point<I16F16>>>;
 
 /// Three bodies and a wall.
 fn scene() -> World<Flyer, 4> {
@@ -15,9 +15,9 @@ fn scene() -> World<Flyer, 4> {
         let centre: Point<I16F16> = point([x, y], [0.3, 1.0 - y], 0.8 + 0.7 * i as f64);
         let body = Rigid::new(centre, ratio(0.2 + 0.3 * i as f64)).unwrap();
         let body = body.with_angle(Angle::turns(ratio(spread(i + 5))));
-        Watched::new(body.with_spin(ratio(0.9 - spread(i + 9))).unwrap())
+        RangeChecked::new(body.with_spin(ratio(0.9 - spread(i + 9))).unwrap())
     };
-    let wall = Watched::new(Rigid::fixed(vector(1.0, 4.0)).unwrap());
+    let wall = RangeChecked::new(Rigid::static_at(vector(1.0, 4.0)).unwrap());
     world([body(0), body(1), body(2), wall])
 }
 

@@ -69,7 +69,7 @@ fn sag<S: Scalar>(x: i32, hertz: Ratio, g: i32) -> String {
     let mut world = World::<Point<S>, 1>::new();
     let id = world.add(point(1).unwrap()).unwrap();
     let spring = ExactSpring::<S>::new(id, vec2(x, 0).unwrap(), hertz, 0).unwrap();
-    refused(spring.under(vec2(g, 0).unwrap()))
+    refused(spring.with_gravity(vec2(g, 0).unwrap()))
 }
 
 pub fn sags() -> Errors {

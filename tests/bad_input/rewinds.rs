@@ -1,22 +1,22 @@
 //! Steps that are not undone.
 
-use fixstep::{Push, Reversible, Verlet, Watched};
+use fixstep::{Push, RangeChecked, Reversible, Verlet};
 
 use super::*;
 
-type Scene = World<Watched<Point<I16F16>>, 1>;
+type Scene = World<RangeChecked<Point<I16F16>>, 1>;
 
 /// A body at rest, and its name.
 fn scene() -> (Scene, BodyId) {
     let mut world = Scene::new();
-    let id = world.add(Watched::new(point(1).unwrap())).unwrap();
+    let id = world.add(RangeChecked::new(point(1).unwrap())).unwrap();
     (world, id)
 }
 
 /// What the world says when the last of `steps` steps is to be undone. Nothing changes.
 fn back(
     (mut world, _): (Scene, BodyId),
-    mut forces: impl Reversible<Watched<Point<I16F16>>>,
+    mut forces: impl Reversible<RangeChecked<Point<I16F16>>>,
     steps: u32,
 ) -> String {
     let step = Step::hz(60).unwrap();

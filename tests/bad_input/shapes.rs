@@ -1,6 +1,6 @@
 //! Shapes and mass properties that are refused. `tests/shape/refused.rs` has fields and values.
 
-use fixstep::shape::{capsule, convex_polygon, disc, polygon, rectangle, ring};
+use fixstep::mass::{capsule, convex_polygon, disc, polygon, rectangle, ring};
 use fixstep::{MassProperties, Shape};
 
 use super::*;
@@ -88,25 +88,25 @@ fn plate() -> Shape<f32> {
 
 pub fn of_no_mass() -> Errors {
     vec![
-        refused(plate().of_mass(0)),
-        refused(plate().of_density(-1)),
-        refused(ring::<f32>(1, 1).unwrap().of_density(1)),
+        refused(plate().with_mass(0)),
+        refused(plate().with_density(-1)),
+        refused(ring::<f32>(1, 1).unwrap().with_density(1)),
     ]
 }
 
 pub fn too_heavy() -> Errors {
     let (large, disc) = (Ratio::new(1 << 62, 1).unwrap(), disc::<f32>(2).unwrap());
     vec![
-        refused(disc.of_mass(large)),
-        refused(disc.of_density(large)),
+        refused(disc.with_mass(large)),
+        refused(disc.with_density(large)),
     ]
 }
 
 pub fn too_light() -> Errors {
     let tiny = Ratio::new(1, 1 << 62).unwrap();
     vec![
-        refused(plate().of_mass(tiny)),
-        refused(plate().of_density(tiny)),
+        refused(plate().with_mass(tiny)),
+        refused(plate().with_density(tiny)),
     ]
 }
 
@@ -119,7 +119,7 @@ pub fn inertia_below_zero() -> Errors {
 }
 
 pub fn places() -> Errors {
-    let body = plate().of_mass(1).unwrap();
+    let body = plate().with_mass(1).unwrap();
     let bad = Vec2::new(f32::NAN, 0.0);
     let far = MassProperties::<I8F24>::new(1, vec2(100, 0).unwrap(), 1).unwrap();
     vec![
@@ -132,8 +132,8 @@ pub fn places() -> Errors {
 
 pub fn no_parts() -> Errors {
     vec![
-        refused(MassProperties::<f32>::of_parts(&[])),
-        refused(MassProperties::<f32>::of_points(&[])),
+        refused(MassProperties::<f32>::from_parts(&[])),
+        refused(MassProperties::<f32>::from_points(&[])),
     ]
 }
 
@@ -148,14 +148,14 @@ pub fn sums_beyond() -> Errors {
         mass: dec!(1),
     };
     vec![
-        refused(MassProperties::of_parts(&[heavy, heavy])),
-        refused(MassProperties::of_points(&[point])),
+        refused(MassProperties::from_parts(&[heavy, heavy])),
+        refused(MassProperties::from_points(&[point])),
         refused(heavy.without(&light)),
     ]
 }
 
 pub fn holes() -> Errors {
-    let body = plate().of_mass(1).unwrap();
-    let wide = ring::<f32>(2, 2).unwrap().of_mass(dec!(0.5)).unwrap();
+    let body = plate().with_mass(1).unwrap();
+    let wide = ring::<f32>(2, 2).unwrap().with_mass(dec!(0.5)).unwrap();
     vec![refused(body.without(&body)), refused(body.without(&wide))]
 }

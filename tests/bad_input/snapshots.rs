@@ -1,6 +1,6 @@
 //! Snapshots that are refused.
 
-use fixstep::snapshot::HEADER;
+use fixstep::world::snapshot::HEADER;
 use fixstep::{TimeStep, Vec2};
 
 use super::*;
@@ -95,7 +95,7 @@ struct Other(Point<I16F16>);
 
 impl Body for Other {
     type S = I16F16;
-    type Spin = fixstep::spin::NoSpin;
+    type Spin = fixstep::body::NoSpin;
 
     fn position(&self) -> Vec2<I16F16> {
         self.0.position()

@@ -1,6 +1,6 @@
 //! Bodies that turn, and what they refuse.
 
-use fixstep::torque::SpinDrag;
+use fixstep::rigid::torque::SpinDrag;
 use fixstep::{Angular, Carried, Rigid, Scalar};
 
 use super::*;
@@ -45,7 +45,7 @@ fn not_finite<S: Angular>(nan: S) -> Errors {
             Vec2::ZERO,
             Vec2::new(nan, S::ZERO),
         )),
-        refused(Rigid::<Point<S>>::fixed(Vec2::new(nan, S::ZERO))),
+        refused(Rigid::<Point<S>>::static_at(Vec2::new(nan, S::ZERO))),
     ];
     assert_eq!(body, before);
     errors

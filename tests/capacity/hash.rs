@@ -9,7 +9,7 @@ struct Loose([f32; 4]);
 
 impl Body for Loose {
     type S = f32;
-    type Spin = fixstep::spin::NoSpin;
+    type Spin = fixstep::body::NoSpin;
 
     fn position(&self) -> Vec2<f32> {
         Vec2::new(self.0[0], self.0[1])

@@ -6,9 +6,15 @@ use crate::support::Grid;
 
 /// 32-bit fixed point that carries: its places are whole numbers of `2^-32` units, its remainders of
 /// `2^-15`.
-pub trait Fine: Grid + Stored + Carry<Place = i64, Rest = i16> + Scalar<InvMass: Stored> {}
+pub trait Fine:
+    Grid + Stored + Carry<FinePosition = i64, Remainder = i16> + Scalar<InvMass: Stored>
+{
+}
 
-impl<S> Fine for S where S: Grid + Stored + Carry<Place = i64, Rest = i16> + Scalar<InvMass: Stored> {}
+impl<S> Fine for S where
+    S: Grid + Stored + Carry<FinePosition = i64, Remainder = i16> + Scalar<InvMass: Stored>
+{
+}
 
 /// Fractional bits of a remainder.
 pub const FINE: u32 = 15;

@@ -32,7 +32,7 @@ impl Wide {
 }
 
 /// A float and the roundoff of one operation.
-trait Real: Format + Carry<Place = [Self; 2], Coef = Self> {
+trait Real: Format + Carry<FinePosition = [Self; 2], Coef = Self> {
     const ROUNDOFF: f64;
 }
 
@@ -66,10 +66,10 @@ fn errors<S: Real>(start: usize) -> [f64; 3] {
     let (terms, one) = (terms::<S>(start), scalar::<S>(1.0));
     let (sum, all) = exact(&terms);
     let plain = terms.iter().fold(S::ZERO, |sum, &term| sum.plus(term));
-    let place = terms.iter().fold(S::ZERO.place(), |place, &term| {
+    let place = terms.iter().fold(S::ZERO.fine_position(), |place, &term| {
         S::moved(place, term, one, 0)
     });
-    let start = (S::ZERO, S::NO_REST);
+    let start = (S::ZERO, S::NO_REMAINDER);
     let kept = terms
         .iter()
         .fold(start, |kept, &term| S::kicked(kept, term, one));
@@ -115,8 +115,8 @@ fn sums_of_f64_lose_two_roundoffs_at_most() {
 #[test]
 fn small_steps_are_not_lost() {
     let small = 0.375 * f32::EPSILON;
-    let mut place = 1.0_f32.place();
-    let mut kept = (1.0_f32, f32::NO_REST);
+    let mut place = 1.0_f32.fine_position();
+    let mut kept = (1.0_f32, f32::NO_REMAINDER);
     assert_eq!(1.0 + small, 1.0);
     for _ in 0..1000 {
         place = f32::moved(place, small, 1.0, 0);
@@ -130,7 +130,7 @@ fn small_steps_are_not_lost() {
 #[test]
 fn a_damped_float_follows_its_decay() {
     for loss in [0.5_f32, 0.0123, 1e-4] {
-        let mut kept = (7.25_f32, f32::NO_REST);
+        let mut kept = (7.25_f32, f32::NO_REMAINDER);
         let steps = (5.0 / loss) as i32;
         for _ in 0..steps {
             kept = f32::damped(kept, loss);
@@ -146,22 +146,25 @@ fn a_damped_float_follows_its_decay() {
 #[test]
 fn remainders_of_floats_come_back() {
     for bits in 0..=u16::MAX {
-        assert_eq!(f32::of_rest_bits(bits.into()), Some(bits));
-        assert_eq!(f32::rest_bits(bits), u64::from(bits));
+        assert_eq!(f32::from_remainder_bits(bits.into()), Some(bits));
+        assert_eq!(f32::remainder_bits(bits), u64::from(bits));
     }
-    assert_eq!(f32::of_rest_bits(1 << 16), None);
-    assert_eq!(f64::of_rest_bits(1 << 32), None);
-    assert_eq!(f32::of_halves([0, 1 << 32]), None);
+    assert_eq!(f32::from_remainder_bits(1 << 16), None);
+    assert_eq!(f64::from_remainder_bits(1 << 32), None);
+    assert_eq!(f32::from_halves([0, 1 << 32]), None);
     // One NaN, one zero.
-    let nans = [0x7FC0, 0xFFC0, 0x7F81].map(f32::rest_left_over);
+    let nans = [0x7FC0, 0xFFC0, 0x7F81].map(f32::remainder_left_over);
     assert!(nans.iter().all(|&bits| bits == nans[0]));
-    assert_eq!(f32::rest_left_over(0x8000), f32::rest_left_over(0));
+    assert_eq!(
+        f32::remainder_left_over(0x8000),
+        f32::remainder_left_over(0)
+    );
 }
 
 /// Exact in fixed point, and to the excess in floats: `v - excess` over `1/m`.
 #[test]
 fn momentum_of_a_float_has_its_remainder() {
-    let kept = f32::kicked((1.0, f32::NO_REST), 0.25 * f32::EPSILON, 1.0);
+    let kept = f32::kicked((1.0, f32::NO_REMAINDER), 0.25 * f32::EPSILON, 1.0);
     assert_eq!(kept.0, 1.0);
     assert_eq!(
         f32::momentum(kept, 0.5),

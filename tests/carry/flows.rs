@@ -62,7 +62,7 @@ fn check_mirrored<S: Fine>() {
             S::of_units(number(&mut random).max(-i32::MAX)),
             rest(&mut random),
         );
-        let turned = S::turned(kept);
+        let turned = S::reversed(kept);
         assert_eq!(fine_of(turned.0, turned.1), -fine_of(kept.0, kept.1));
     }
 }

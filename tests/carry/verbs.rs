@@ -70,13 +70,13 @@ fn check_seen<S: Fine>() {
         if (place >> 32).abs() < i64::from(i32::MAX) {
             assert!(S::seen(-place) == shown.negated(), "{place:#x}");
         }
-        assert!(S::of_halves(S::halves(place)) == Some(place));
+        assert!(S::from_halves(S::halves(place)) == Some(place));
         assert_eq!(S::left_over(place), u64::from(low));
     }
     assert!(S::seen(i64::MAX) == S::MAX);
     assert_eq!(S::seen(i64::MIN).units(), i32::MIN);
     for units in ENDS {
-        let place = S::of_units(units).place();
+        let place = S::of_units(units).fine_position();
         assert_eq!(
             (place, S::seen(place).units()),
             ((units as i64) << 32, units)
@@ -214,14 +214,14 @@ fn check_rest<S: Fine>() {
 
 fn check_bits<S: Fine>() {
     for bits in 0..=u16::MAX {
-        let rest = S::of_rest_bits(bits.into());
+        let rest = S::from_remainder_bits(bits.into());
         let holds = (bits as i16).unsigned_abs() <= 1 << (FINE - 1);
         assert_eq!(rest, holds.then_some(bits as i16));
-        assert!(rest.is_none_or(|rest| S::rest_bits(rest) == u64::from(bits)));
+        assert!(rest.is_none_or(|rest| S::remainder_bits(rest) == u64::from(bits)));
     }
-    assert_eq!(S::of_rest_bits(1 << 16), None);
-    assert_eq!(S::of_halves([1 << 32, 0]), None);
-    assert_eq!(S::of_halves([0, 1 << 32]), None);
+    assert_eq!(S::from_remainder_bits(1 << 16), None);
+    assert_eq!(S::from_halves([1 << 32, 0]), None);
+    assert_eq!(S::from_halves([0, 1 << 32]), None);
 }
 
 fn check_all<S: Fine>() {

@@ -121,7 +121,7 @@ macro_rules! long_bits {
                 let up = (-value.log2()).floor().max(0.0) as u32;
                 let power = Ratio::new(1 << up, 1).unwrap();
                 let near = Self::product(coef, <Self::Coef as Factor<Self>>::new(power).unwrap());
-                let bits = Factor::<I2F62>::of(near, I2F62::from_bits(1 << 62)).to_bits();
+                let bits = Factor::<I2F62>::scale(near, I2F62::from_bits(1 << 62)).to_bits();
                 (bits as u128) << 64 >> up
             }
         })*

@@ -14,12 +14,12 @@ fn lift(mut method: impl Method<Point<f64>, 1>, x: f64) -> f64 {
     let start = Point::new(Vec2::ZERO, Vec2::ZERO, 1).unwrap();
     let id = world.add(start).unwrap();
     let spring = ExactSpring::new(id, Vec2::ZERO, dec!(0.5), 1).unwrap();
-    let spring = spring.under(vec2(0, -10).unwrap()).unwrap();
+    let spring = spring.with_gravity(vec2(0, -10).unwrap()).unwrap();
     let drag = ExactDrag::new(ratio(60.0 * x)).unwrap();
     let mut forces = (GravityY::new(-10).unwrap(), spring, drag);
     let step = Step::hz(60).unwrap();
     (0..10_000).for_each(|_| world.step(&mut method, &mut forces, &step));
-    let rest = spring.rest().y;
+    let rest = spring.rest_position().y;
     (world.get(id).unwrap().position().y - rest) / -rest
 }
 

@@ -62,7 +62,7 @@ impl<S: Format> Case<S> {
         let g = self.pull.to_f64();
         let gravity_y = (g.x == 0.0).then(|| GravityY::new(ratio(g.y)).unwrap());
         let gravity = (g.x != 0.0).then(|| Gravity::new(self.pull));
-        let mut forces = (gravity_y, spring.under(self.pull).unwrap(), gravity);
+        let mut forces = (gravity_y, spring.with_gravity(self.pull).unwrap(), gravity);
         for _ in 0..self.patience() {
             world.step(&mut scheme, &mut forces, step);
         }

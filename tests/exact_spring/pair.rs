@@ -25,7 +25,7 @@ struct Probe<S: Scalar> {
 
 impl<S: Scalar> Body for Probe<S> {
     type S = S;
-    type Spin = fixstep::spin::NoSpin;
+    type Spin = fixstep::body::NoSpin;
 
     fn position(&self) -> Vec2<S> {
         self.point.position()

@@ -58,7 +58,7 @@ fn of_two_springs_on_a_body_the_first_acts() {
 fn a_spring_that_does_not_act_takes_nothing_back() {
     for scheme in SPLITTINGS {
         let first = spring(0, dec!(2));
-        let second = spring(0, dec!(7)).under(vector(0.0, -9.81)).unwrap();
+        let second = spring(0, dec!(7)).with_gravity(vector(0.0, -9.81)).unwrap();
         assert_eq!(
             after(scheme, scene(), (first, second)),
             after(scheme, scene(), first)

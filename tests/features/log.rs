@@ -5,8 +5,8 @@ use defmt::Format;
 use defmt::export::fetch_bytes;
 use fixstep::fixed::types::{I16F16, I32F32};
 use fixstep::{
-    Accumulator, Angle, Body, BodyId, Carried, Due, Error, Point, Ratio, RewindError, Rigid,
-    SnapshotError, Stale, Vec2, Watched, World, dec, vec2,
+    Accumulator, Angle, Body, BodyId, Carried, Due, Error, Point, RangeChecked, Ratio, RewindError,
+    Rigid, SnapshotError, Stale, Vec2, World, dec, vec2,
 };
 
 /// Asserts that `parts` stand in the log of `value`, one behind the other.
@@ -174,7 +174,7 @@ fn snapshot_errors_show_what_was_found() {
 
 #[test]
 fn watched_bodies_show_body_and_mark() {
-    let mut ball = Watched::new(point(3));
+    let mut ball = RangeChecked::new(point(3));
     let state = [3.0, 7.0, -1.5, 9.0].map(float).concat();
     logs(&ball, &[&state[..4], &state[12..]]);
     let unmarked = length(&ball);

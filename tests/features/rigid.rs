@@ -4,7 +4,8 @@
 use fixstep::fixed::types::{I8F24, I16F16, I32F32};
 use fixstep::rigid::{Centre, SavedRotor};
 use fixstep::{
-    Angle, Body, Carried, Point, Rigid, Rotating, Saved, Step, Verlet, Watched, World, dec, vec2,
+    Angle, Body, Carried, Point, RangeChecked, Rigid, Rotating, Saved, Step, Verlet, World, dec,
+    vec2,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -64,9 +65,10 @@ fn bodies_that_turn_come_back() {
     through::<Point<I16F16>>();
     through::<Carried<f32>>();
     through::<Carried<I8F24>>();
-    let mut body = Watched::new(world::<Point<I16F16>>().bodies()[0]);
+    let mut body = RangeChecked::new(world::<Point<I16F16>>().bodies()[0]);
     for outside in [false, true] {
-        let again: Watched<Rigid<Point<I16F16>>> = from_value(to_value(body).unwrap()).unwrap();
+        let again: RangeChecked<Rigid<Point<I16F16>>> =
+            from_value(to_value(body).unwrap()).unwrap();
         assert_eq!((again, again.was_outside()), (body, outside));
         (0..2).for_each(|_| body.kick(vec2(30_000, 0).unwrap()));
     }
@@ -138,7 +140,7 @@ fn json_shows_the_fields_by_name() {
         "rest": 0,
     });
     assert_eq!(carried(), expected);
-    let wall = Rigid::<Point<I16F16>>::fixed(vec2(1, 1).unwrap()).unwrap();
+    let wall = Rigid::<Point<I16F16>>::static_at(vec2(1, 1).unwrap()).unwrap();
     let wall = to_value(wall).unwrap();
     assert_eq!(
         (&wall["driven"], &wall["inv_inertia"]),
@@ -207,7 +209,7 @@ fn a_driven_body_has_neither_inertia_nor_another_mass() {
     let mut value = plain();
     (value["driven"], value["inv_inertia"]) = (json!(true), json!(NONE));
     let body: Rigid<Point<I16F16>> = from_value(value).unwrap();
-    assert!(body.is_driven());
+    assert!(body.has_infinite_mass());
 }
 
 fn fields<C>(of: fn() -> Value, fields: &[&str])

@@ -2,7 +2,7 @@
 //! when their snapshots are: those hold every bit, the tick and the next id.
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
-use fixstep::{Body, BodyId, GravityY, Point, Step, Vec2, Verlet, Watched, World, dec, vec2};
+use fixstep::{Body, BodyId, GravityY, Point, RangeChecked, Step, Vec2, Verlet, World, dec, vec2};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -141,7 +141,7 @@ fn an_id_is_its_number() {
 
 #[test]
 fn a_watched_body_keeps_its_mark() {
-    let mut ball = Watched::new(Point::<I16F16>::new(Vec2::ZERO, Vec2::ZERO, 1).unwrap());
+    let mut ball = RangeChecked::new(Point::<I16F16>::new(Vec2::ZERO, Vec2::ZERO, 1).unwrap());
     for kicks in [[0, 0], [30_000, -7]] {
         for x in kicks.into_iter().chain(kicks) {
             ball.kick(vec2(x, 0).unwrap());
@@ -156,12 +156,12 @@ fn a_watched_body_keeps_its_mark() {
         .unwrap();
     let mut value = serde_json::to_value(ball).unwrap();
     value["was_outside"] = json!(false);
-    let again: Watched<Point<I16F16>> = serde_json::from_value(value.clone()).unwrap();
+    let again: RangeChecked<Point<I16F16>> = serde_json::from_value(value.clone()).unwrap();
     assert!(again.was_outside());
     value
         .as_object_mut()
         .unwrap()
         .remove("was_outside")
         .unwrap();
-    assert!(serde_json::from_value::<Watched<Point<I16F16>>>(value).is_err());
+    assert!(serde_json::from_value::<RangeChecked<Point<I16F16>>>(value).is_err());
 }

@@ -1,7 +1,7 @@
 //! Bodies that no force moves, and bodies that nothing turns.
 
 use fixstep::rigid::Kind;
-use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::{
     AllPairs, Anchor, Angle, Ballistic, BodyId, Decay, DyadicStep, ExactDrag, ExactPair,
     ExactQuadraticDrag, ExactSpring, Force, Gravity, GravityY, LinearDrag, Method, Pairs, PerBody,
@@ -19,7 +19,7 @@ fn scene<C: Middle>() -> World<Rigid<C>, 4> {
     let mut driven = Rigid::kinematic(vector(-2.0, 1.0), vector(0.5, -0.25)).unwrap();
     driven.set_angle(Angle::turns(dec!(0.125)));
     driven.set_spin(scalar(-0.375)).unwrap();
-    let wall = Rigid::fixed(vector(3.0, -1.0)).unwrap();
+    let wall = Rigid::static_at(vector(3.0, -1.0)).unwrap();
     let wall = wall.with_angle(Angle::turns(dec!(0.3)));
     let centre = |x: f64| C::from(point([x, 2.0], [0.3, -0.2], 1.7));
     let free = Rigid::new(centre(1.0), dec!(0.6)).unwrap();

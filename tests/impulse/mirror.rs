@@ -1,6 +1,6 @@
 //! A scene in a mirror: x, angles and spins with the other sign. To the bit, with every method.
 
-use fixstep::torque::{Attached, SpinDrag, Torque};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque};
 use fixstep::{
     Angle, BodyId, Decay, DyadicStep, ExactDrag, Force, GravityY, LinearDrag, Pairs, Spring, Step,
     TimeStep, World,
@@ -33,7 +33,7 @@ fn scene<C: Middle>(mirror: Mirror) -> World<Rigid<C>, 3> {
         let body = body.with_angle(Angle::turns(ratio(mirror.value(0.1 * x))));
         body.with_spin(ratio(mirror.value(spin))).unwrap()
     };
-    let wall = Rigid::fixed(mirror.vector(-1.3, 2.1)).unwrap();
+    let wall = Rigid::static_at(mirror.vector(-1.3, 2.1)).unwrap();
     world([body(1.0, 1.7, 0.9), body(3.1, -0.6, 2.3), wall])
 }
 

@@ -51,7 +51,7 @@ fn check_places<C: Middle>() {
         let found = (body.to_own(there) - own).to_f64();
         back.extend(found.array().map(|error| error.abs() / allowed));
         // The angle has 2^-32 turns where the reference has 2^-53 of them.
-        assert_eq!(body.rotation().turn(own) + body.position(), there);
+        assert_eq!(body.rotation().rotate(own) + body.position(), there);
     }
     report::<C::S>("to the world", &to);
     report::<C::S>("and back", &back);

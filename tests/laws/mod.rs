@@ -122,8 +122,8 @@ pub fn value<S: Scalar, J: Judge<S>>(a: S, factors: &Factors<S>) {
 
 fn scaled<S: Scalar, J: Judge<S>, F: Factor<S>>(factors: &[(F, Dyadic)], a: S) {
     for &(factor, represented) in factors {
-        same(factor.of(a), J::scaled(represented, a), (factor, a));
-        odd::<S, J>(a, |a| factor.of(a));
+        same(factor.scale(a), J::scaled(represented, a), (factor, a));
+        odd::<S, J>(a, |a| factor.scale(a));
     }
 }
 
@@ -143,7 +143,7 @@ pub fn nearest<S: Scalar, J: Judge<S>>(a: S, b: S) {
     let dot = S::dot([a, b], [b, b]);
     same(S::narrow(dot), J::dot([a, b], [b, b]), ("dot", a, b));
     same(
-        a.under(dot),
+        S::quotient(dot, a),
         J::quotient([a, b], [b, b], a),
         ("under", a, b),
     );
@@ -158,7 +158,7 @@ pub fn nearest<S: Scalar, J: Judge<S>>(a: S, b: S) {
 pub fn mirrored<S: Scalar, J: Judge<S>>(a: S, b: S) {
     odd::<S, J>(a, |a| a.times(b));
     odd::<S, J>(b, |b| a.times(b));
-    odd::<S, J>(b, |b| a.under(S::dot([a, S::ZERO], [b, S::ZERO])));
+    odd::<S, J>(b, |b| S::quotient(S::dot([a, S::ZERO], [b, S::ZERO]), a));
     odd::<S, J>(a, |a| S::narrow(S::dot([a, a], [b, S::ZERO])));
     if J::has_negative(a) && J::has_negative(b) {
         mirrored_sums(a, b);

@@ -126,9 +126,9 @@ pub fn masses<S: Scalar, J: Judge<S>>(bits: u32, count: u64) {
 /// A scalar as a factor is the scalar, for every pair of corners and `count` others.
 pub fn coefs<S: Scalar, J: Judge<S>>(count: u64) {
     let check = |a: S, b: S| {
-        same(a.coef().of(b), a.times(b), ("coef", a, b));
-        same(a.coef().of(b), J::product(a, b), ("coef", a, b));
-        odd::<S, J>(a, |a| a.coef().of(b));
+        same(a.coef().scale(b), a.times(b), ("coef", a, b));
+        same(a.coef().scale(b), J::product(a, b), ("coef", a, b));
+        odd::<S, J>(a, |a| a.coef().scale(b));
     };
     for a in J::corners() {
         J::corners().into_iter().for_each(|b| check(a, b));

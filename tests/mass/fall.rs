@@ -47,7 +47,7 @@ fn apart<S: Format>(n: usize) -> [f64; 4] {
         .iter()
         .map(|p| Point::new(p.position, p.velocity, p.mass).unwrap());
     let points = fallen(points);
-    let body = fallen([CentreOfMass::of(&set).unwrap().point().unwrap()])[0];
+    let body = fallen([CentreOfMass::new(&set).unwrap().point().unwrap()])[0];
     let total: f64 = set.iter().map(|p| p.mass.to_f64()).sum();
     PARTS.map(|i| {
         let moments = set.iter().zip(&points).map(|(p, x)| p.mass.to_f64() * x[i]);

@@ -18,7 +18,7 @@ fn at<S: Scalar>(x: S, mass: Ratio) -> PointMass<S> {
 
 /// A set of these masses, all at rest at the origin.
 fn of<S: Scalar>(masses: &[Ratio]) -> Result<CentreOfMass<S>, Error> {
-    CentreOfMass::of(&masses.iter().map(|&m| at(S::ZERO, m)).collect::<Vec<_>>())
+    CentreOfMass::new(&masses.iter().map(|&m| at(S::ZERO, m)).collect::<Vec<_>>())
 }
 
 #[test]
@@ -30,7 +30,7 @@ fn the_total_of_decimals_and_fractions_is_exact() {
             let den = KINDS[kind].1;
             let sum: i128 = set.iter().map(|p| whole(p.mass, den)).sum();
             let exact = ratio(sum as i64, den as u64);
-            assert_eq!(CentreOfMass::of(&set).unwrap().mass, exact);
+            assert_eq!(CentreOfMass::new(&set).unwrap().mass, exact);
         }
     }
     let ten = of::<f32>(&[dec!(0.1); 10]).unwrap();
@@ -71,12 +71,12 @@ fn a_gram_beside_2000_tons_has_its_weight() {
         let heavy = at(S::of_units(-1_234_567), ratio(2_000_000, 1));
         for end in [i32::MAX, -i32::MAX] {
             let set = vec![at(S::of_units(end), light), heavy];
-            let all = CentreOfMass::of(&set).unwrap();
+            let all = CentreOfMass::new(&set).unwrap();
             let error = off(all.position.x, sums(&set, den, |p| p.position.x), 0.0);
             println!("{} {light} kg: {error:.3} units", S::name());
             assert!(error <= allowed, "{error} > {allowed}");
             let turned: Set<S> = set.iter().rev().copied().collect();
-            assert_eq!(CentreOfMass::of(&turned), Ok(all));
+            assert_eq!(CentreOfMass::new(&turned), Ok(all));
             assert!(all.point().is_ok());
         }
     }
@@ -96,7 +96,7 @@ fn points_at_the_ends_of_the_range_stay_in_it() {
             let masses: Vec<_> = (0..n).map(|i| mass(i % 3, &mut random)).collect();
             for (end, sign) in [(i32::MAX, 1), (-i32::MAX, -1)] {
                 let set: Vec<_> = masses.iter().map(|&m| at(S::of_units(end), m)).collect();
-                let all = CentreOfMass::of(&set).unwrap();
+                let all = CentreOfMass::new(&set).unwrap();
                 // n products of half a unit, and a unit for the weights.
                 let [r, v] = [all.position, all.velocity];
                 for centre in [r.x, r.y.negated(), v.x.negated(), v.y] {
@@ -119,7 +119,7 @@ fn points_at_the_ends_of_the_range_stay_in_it() {
 fn a_mass_must_be_positive_and_a_set_not_empty() {
     let none: [PointMass<I16F16>; 0] = [];
     assert_eq!(
-        CentreOfMass::of(&none),
+        CentreOfMass::new(&none),
         Err(Error::Empty { field: "points" })
     );
     for value in [Ratio::ZERO, dec!(-0.5), ratio(-1, 1 << 62), ratio(0, 9)] {
@@ -183,10 +183,10 @@ fn a_point_that_is_not_finite_is_refused_wherever_it_stands() {
             placed[place].position = vector;
             moving[place].velocity = vector;
             let refused = |field| Err(Error::NotFinite { field });
-            assert_eq!(CentreOfMass::of(&placed), refused("position"));
-            assert_eq!(CentreOfMass::of(&moving), refused("velocity"));
+            assert_eq!(CentreOfMass::new(&placed), refused("position"));
+            assert_eq!(CentreOfMass::new(&moving), refused("velocity"));
         }
     }
     let ends = [f32::MAX, f32::MIN, f32::MIN_POSITIVE, -0.0];
-    assert!(CentreOfMass::of(&ends.map(|x| at(x, dec!(1)))).is_ok());
+    assert!(CentreOfMass::new(&ends.map(|x| at(x, dec!(1)))).is_ok());
 }

@@ -2,7 +2,7 @@
 
 use fixstep::fixed::FixedI32;
 use fixstep::fixed::types::extra::{U20, U21, U22, U23, U24, U25, U26, U27, U28, U29, U30, U31};
-use fixstep::{Error, Point, Scalar, Step, TimeStep, Watched, World};
+use fixstep::{Error, Point, RangeChecked, Scalar, Step, TimeStep, World};
 
 use crate::described::{Described, ROOM};
 use crate::flight::{Plan, Seen, Track};
@@ -14,17 +14,17 @@ pub struct Flown {
     pub marked: bool,
 }
 
-impl<S: Scalar> Seen for Watched<Point<S>> {}
+impl<S: Scalar> Seen for RangeChecked<Point<S>> {}
 
 pub fn fly<S: Scalar>(
     scene: &Described,
     plan: &Plan,
     step: &impl TimeStep<S>,
 ) -> Result<Flown, Error> {
-    let mut world = World::<Watched<Point<S>>, ROOM>::new();
-    let mut forces = scene.build(&mut world, Watched::new)?;
+    let mut world = World::<RangeChecked<Point<S>>, ROOM>::new();
+    let mut forces = scene.build(&mut world, RangeChecked::new)?;
     let track = plan.fly(&mut world, &mut forces, step)?;
-    let marked = world.bodies().iter().any(Watched::was_outside);
+    let marked = world.bodies().iter().any(RangeChecked::was_outside);
     let outside = world.out_of_range().next().is_some();
     Ok(Flown {
         track,

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use fixstep::fixed::FixedI32;
 use fixstep::fixed::types::extra::{U24, U27, U28, U29, U30};
-use fixstep::torque::Wrench;
+use fixstep::rigid::torque::Wrench;
 use fixstep::{
-    Angular, Body, Decay, Error, PerBody, Point, Ratio, Rigid, Rotating, Scalar, Step, Time, Vec2,
-    Watched, World, dec, vec2,
+    Angular, Body, Decay, Error, PerBody, Point, RangeChecked, Ratio, Rigid, Rotating, Scalar,
+    Step, Time, Vec2, World, dec, vec2,
 };
 
 use crate::advise::{Advice, Question, advise, range};
@@ -21,7 +21,7 @@ use crate::report::report;
 use crate::rotor::{ROTOR, Rotor, SECONDS, TITLE};
 use crate::scenes::{best, question};
 
-impl<S: Angular> Seen for Watched<Rigid<Point<S>>> {
+impl<S: Angular> Seen for RangeChecked<Rigid<Point<S>>> {
     fn turns(&self) -> f64 {
         self.angle().to_f64()
     }
@@ -29,9 +29,9 @@ impl<S: Angular> Seen for Watched<Rigid<Point<S>>> {
 
 fn fly<S: Angular + Decay>(rotor: &Rotor, plan: &Plan) -> Result<Flown, Error> {
     let mut world = World::new();
-    let mut forces = rotor.build(&mut world, Watched::<Rigid<Point<S>>>::new)?;
+    let mut forces = rotor.build(&mut world, RangeChecked::<Rigid<Point<S>>>::new)?;
     let track = plan.fly(&mut world, &mut forces, &Step::hz(plan.rate)?)?;
-    let marked = world.bodies().iter().any(Watched::was_outside);
+    let marked = world.bodies().iter().any(RangeChecked::was_outside);
     Ok(Flown { track, marked })
 }
 

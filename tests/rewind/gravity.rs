@@ -44,7 +44,7 @@ pub fn pull<S: Scalar>() -> AllPairs<Pull<S>> {
 fn returns<S: Format + fixstep::Exact>(
     way: &str,
     start: u64,
-    mut method: impl Rewinds<Watched<Point<S>>, 5>,
+    mut method: impl Rewinds<RangeChecked<Point<S>>, 5>,
     step: &impl TimeStep<S>,
     length: [u64; 2],
 ) {
@@ -56,7 +56,7 @@ fn returns<S: Format + fixstep::Exact>(
 fn long<S: Format + fixstep::Exact>(
     way: &str,
     start: u64,
-    method: impl Rewinds<Watched<Point<S>>, 5>,
+    method: impl Rewinds<RangeChecked<Point<S>>, 5>,
     step: &impl TimeStep<S>,
 ) {
     returns(way, start, method, step, [100_000, 1000]);
@@ -65,7 +65,7 @@ fn long<S: Format + fixstep::Exact>(
 fn short<S: Format + fixstep::Exact>(
     way: &str,
     start: u64,
-    method: impl Rewinds<Watched<Point<S>>, 5>,
+    method: impl Rewinds<RangeChecked<Point<S>>, 5>,
     step: &impl TimeStep<S>,
 ) {
     returns(way, start, method, step, [10_000, 100]);

@@ -14,7 +14,7 @@ fn spring<S: Scalar>(length: f64, stiffness: f64) -> Spring<S> {
 }
 
 /// Up to 3 N along x, by the time and by whether the body is left of the origin.
-fn tide<S: Scalar>() -> impl FnMut(Time, &Watched<Point<S>>) -> Vec2<S> {
+fn tide<S: Scalar>() -> impl FnMut(Time, &RangeChecked<Point<S>>) -> Vec2<S> {
     let table: [Vec2<S>; 31] =
         std::array::from_fn(|i| vector(6.0 * spread(i) - 3.0, spread(i + 50) - 0.5));
     move |time, body| {
@@ -28,11 +28,11 @@ fn tide<S: Scalar>() -> impl FnMut(Time, &Watched<Point<S>>) -> Vec2<S> {
 }
 
 /// Draws each body to the next in a ring.
-fn ring<S: Scalar>(_: Time, all: &[Watched<Point<S>>], i: usize) -> Vec2<S> {
+fn ring<S: Scalar>(_: Time, all: &[RangeChecked<Point<S>>], i: usize) -> Vec2<S> {
     all[(i + 1) % all.len()].position() - all[i].position()
 }
 
-fn forces<S: Scalar>([a, b, c]: [BodyId; 3]) -> impl Reversible<Watched<Point<S>>> {
+fn forces<S: Scalar>([a, b, c]: [BodyId; 3]) -> impl Reversible<RangeChecked<Point<S>>> {
     let anchor = |body, x, y, k: f64| Anchor::new(body, vector(x, y), ratio(k), 0).unwrap();
     let mut pushes = heapless::Vec::<Push<S>, 4>::new();
     pushes.push(Push::new(a, vector(0.3, 0.7))).unwrap();
@@ -70,7 +70,7 @@ fn forces<S: Scalar>([a, b, c]: [BodyId; 3]) -> impl Reversible<Watched<Point<S>
 fn returns<S: Format + Exact>(
     way: &str,
     start: u64,
-    mut method: impl Rewinds<Watched<Point<S>>, 3>,
+    mut method: impl Rewinds<RangeChecked<Point<S>>, 3>,
     step: &impl TimeStep<S>,
 ) {
     let name = format!("{}, {way}", S::name());

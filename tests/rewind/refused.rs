@@ -6,7 +6,7 @@ use fixstep::{AllPairs, Anchor, GravityY, Pairs, RewindError, Spring, Window, de
 use super::*;
 use crate::support::{point, vector};
 
-type Scene = World<Watched<Point<I16F16>>, 2>;
+type Scene = World<RangeChecked<Point<I16F16>>, 2>;
 
 fn scene() -> (Scene, [BodyId; 2]) {
     let of = |x: f64| point([x, 0.0], [1.0, x], 1.0);
@@ -17,7 +17,7 @@ fn scene() -> (Scene, [BodyId; 2]) {
 }
 
 /// Ten steps, and what the first step back says; the state is the same after a refusal.
-fn answer(mut forces: impl Reversible<Watched<Point<I16F16>>>) -> Result<(), RewindError> {
+fn answer(mut forces: impl Reversible<RangeChecked<Point<I16F16>>>) -> Result<(), RewindError> {
     let (mut world, step) = (scene().0, Step::hz(60).unwrap());
     (0..9).for_each(|_| world.step(&mut Verlet, &mut forces, &step));
     let before = state(&world);

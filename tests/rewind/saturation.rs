@@ -8,7 +8,7 @@ use super::*;
 use crate::support::{Format, point, ratio, spread, vector};
 
 /// Two bodies at 1/64 s, of which the second, of 1 kg, is at `x` with `v`, both in ends of the range.
-fn scene<S: Scalar>(x: f64, v: f64) -> (World<Watched<Point<S>>, 2>, BodyId) {
+fn scene<S: Scalar>(x: f64, v: f64) -> (World<RangeChecked<Point<S>>, 2>, BodyId) {
     let end = S::MAX.to_f64();
     let world = watched([
         point([1.0, 2.0], [3.0, 4.0], 1.0),
@@ -29,10 +29,10 @@ fn step<S: Scalar>() -> DyadicStep<S, 1, 6> {
 }
 
 /// Steps once, looks at the end of the step as `out_of_range` does, and asks to go back.
-fn once<S: Exact, M: Rewinds<Watched<Point<S>>, 2>>(
+fn once<S: Exact, M: Rewinds<RangeChecked<Point<S>>, 2>>(
     mut method: M,
-    world: &mut World<Watched<Point<S>>, 2>,
-    forces: &mut impl Reversible<Watched<Point<S>>>,
+    world: &mut World<RangeChecked<Point<S>>, 2>,
+    forces: &mut impl Reversible<RangeChecked<Point<S>>>,
 ) -> Result<(), RewindError> {
     world.step(&mut method, forces, &step());
     assert_eq!(world.out_of_range().count(), 0, "seen from outside");

@@ -5,7 +5,7 @@
 //! Verlet turns by a phase of Ω h a step, sin(Ω h / 2) = ω0 h / 2: ahead by (ω0 h)²/24
 //! ```
 
-use fixstep::torque::Wrench;
+use fixstep::rigid::torque::Wrench;
 use fixstep::{Force, PerBody, Time};
 
 use super::*;

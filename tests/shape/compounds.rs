@@ -1,7 +1,7 @@
 //! Bodies of parts, with holes, and of points.
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::shape::{capsule, disc, polygon, rectangle, ring};
+use fixstep::mass::{capsule, disc, polygon, rectangle, ring};
 use fixstep::{CentreOfMass, MassProperties, PointMass, Ratio, Rational, Vec2, dec, vec2};
 
 use super::support::{Random, scalar, vector};
@@ -20,23 +20,23 @@ fn two_rectangles<S: Rational>() {
     let plate = |width| {
         rectangle::<S>(width, dec!(2))
             .unwrap()
-            .of_density(dec!(0.3))
+            .with_density(dec!(0.3))
             .unwrap()
     };
     let parts = [
         at(plate(dec!(2)), dec!(-2), dec!(0)),
         at(plate(dec!(4)), dec!(1), dec!(0)),
     ];
-    let whole = MassProperties::of_parts(&parts).unwrap();
+    let whole = MassProperties::from_parts(&parts).unwrap();
     assert_eq!(whole, plate(dec!(6)));
     assert_eq!(whole.without(&parts[0]), Ok(parts[1]));
 }
 
 // Two discs of radius r and mass m, D apart: 2 m (r²/2 + D²/4).
 fn dumb_bell<S: Rational>() {
-    let ball = disc::<S>(dec!(0.25)).unwrap().of_mass(3).unwrap();
+    let ball = disc::<S>(dec!(0.25)).unwrap().with_mass(3).unwrap();
     let bell = [at(ball, dec!(-1.5), dec!(2)), at(ball, dec!(1.5), dec!(2))];
-    let bell = MassProperties::of_parts(&bell).unwrap();
+    let bell = MassProperties::from_parts(&bell).unwrap();
     assert_eq!((bell.mass(), bell.centre()), (dec!(6), vec2(0, 2).unwrap()));
     assert_eq!(bell.inertia(), dec!(13.6875));
     assert_eq!(bell.inertia_about(Vec2::ZERO), Ok(dec!(37.6875)));
@@ -44,9 +44,9 @@ fn dumb_bell<S: Rational>() {
 
 // π is a fraction, so that a ring is the difference of two discs to the last bit.
 fn ring_from_discs<S: Rational>() {
-    let plate = |radius| disc::<S>(radius).unwrap().of_density(2).unwrap();
+    let plate = |radius| disc::<S>(radius).unwrap().with_density(2).unwrap();
     let cut = plate(dec!(1)).without(&plate(dec!(0.75))).unwrap();
-    let whole = ring::<S>(1, dec!(0.75)).unwrap().of_density(2).unwrap();
+    let whole = ring::<S>(1, dec!(0.75)).unwrap().with_density(2).unwrap();
     near(cut.mass(), whole.mass().to_f64(), ROUNDED, "ring");
     near(cut.inertia(), whole.inertia().to_f64(), ROUNDED, "ring");
     assert_eq!(cut.centre(), Vec2::ZERO);
@@ -129,10 +129,10 @@ fn set_of_points<S: Rational>(unit: f64) {
         let about_origin = sum(&|p| p[2] * (p[0] * p[0] + p[1] * p[1]));
         let scale = 1000.0 * 2.0_f64.powi(32) * mass as f64;
         let inertia = (about_origin * mass - x * x - y * y) as f64 / scale;
-        let body = MassProperties::of_points(&points).unwrap();
+        let body = MassProperties::from_points(&points).unwrap();
         assert_eq!(body.mass(), ratio(mass as i64, 1000));
         near(body.inertia(), inertia, ROUNDED, "points");
-        let known = CentreOfMass::of(&points).unwrap();
+        let known = CentreOfMass::new(&points).unwrap();
         assert_eq!(known.mass, body.mass());
         let wanted = [x, y].map(|sum| sum as f64 / mass as f64 / 65_536.0);
         let told = body.centre().to_f64();

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::shape::{convex_polygon, disc, polygon};
+use fixstep::mass::{convex_polygon, disc, polygon};
 use fixstep::{Error, Rational, Vec2, dec};
 
 use super::near;
@@ -38,8 +38,8 @@ fn has_teeth_and_a_bore<S: Format + Rational>(teeth: usize) {
     let [mass, hole] = [78.0 * area, 78.0 * PI * 0.02 * 0.02];
     let inertia = mass * per_mass - hole * 0.02 * 0.02 / 2.0;
 
-    let bore = disc(dec!(0.02)).unwrap().of_density(steel).unwrap();
-    let blank = polygon(&corners).unwrap().of_density(steel).unwrap();
+    let bore = disc(dec!(0.02)).unwrap().with_density(steel).unwrap();
+    let blank = polygon(&corners).unwrap().with_density(steel).unwrap();
     let gear = blank.without(&bore).unwrap();
     near(blank.inertia(), mass * per_mass, bound, "blank");
     near(gear.mass(), mass - hole, bound, "gear");

@@ -1,7 +1,7 @@
 //! Outlines that are refused: by name, at the right corner, and never with a panic.
 
 use fixstep::fixed::types::{I1F31, I8F24, I16F16, I32F32};
-use fixstep::shape::{convex_polygon, polygon};
+use fixstep::mass::{convex_polygon, polygon};
 use fixstep::{Error, Rational, Vec2, vec2};
 
 use super::support::Random;

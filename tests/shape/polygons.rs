@@ -5,7 +5,7 @@
 //! triangles that turn right as holes.
 
 use fixstep::fixed::types::{I8F24, I16F16};
-use fixstep::shape::{convex_polygon, polygon};
+use fixstep::mass::{convex_polygon, polygon};
 use fixstep::{Ratio, Rational, Scalar, Shape, Vec2};
 
 use super::support::{Random, scalar, spread};

@@ -1,7 +1,7 @@
 //! Lengths, masses, places and holes that are refused, each by its name.
 
 use fixstep::fixed::types::I8F24;
-use fixstep::shape::{capsule, disc, rectangle, ring};
+use fixstep::mass::{capsule, disc, rectangle, ring};
 use fixstep::{Error, MassProperties, PointMass, Ratio, Vec2, dec, vec2};
 
 #[test]
@@ -39,41 +39,44 @@ fn masses_parts_and_places() {
     let (plate, hoop) = (disc::<f32>(1).unwrap(), ring::<f32>(1, 1).unwrap());
     for value in [dec!(0), dec!(-2)] {
         let refused = |field| Err(Error::NotPositive { field, value });
-        assert_eq!(plate.of_mass(value), refused("mass"));
-        assert_eq!(plate.of_density(value), refused("density"));
+        assert_eq!(plate.with_mass(value), refused("mass"));
+        assert_eq!(plate.with_density(value), refused("density"));
         assert_eq!(
             MassProperties::<f32>::new(value, Vec2::ZERO, 1),
             refused("mass")
         );
     }
     let (field, value) = ("area", Ratio::ZERO);
-    assert_eq!(hoop.of_density(1), Err(Error::NotPositive { field, value }));
+    assert_eq!(
+        hoop.with_density(1),
+        Err(Error::NotPositive { field, value })
+    );
     let value = Ratio::new(1 << 62, 1).unwrap();
     let beyond = |field| Err(Error::OutOfRange { field, value });
-    assert_eq!(plate.of_density(value), beyond("density"));
-    assert_eq!(disc::<f32>(2).unwrap().of_mass(value), beyond("mass"));
+    assert_eq!(plate.with_density(value), beyond("density"));
+    assert_eq!(disc::<f32>(2).unwrap().with_mass(value), beyond("mass"));
     let (field, value) = ("mass", Ratio::new(1, 1 << 62).unwrap());
     let small = disc::<f32>(dec!(0.1)).unwrap();
     assert_eq!(
-        small.of_mass(value),
+        small.with_mass(value),
         Err(Error::RoundsToZero { field, value })
     );
     let (field, value) = ("inertia", dec!(-1));
     let below = MassProperties::<f32>::new(1, Vec2::ZERO, value);
     assert_eq!(below, Err(Error::Negative { field, value }));
     assert_eq!(
-        MassProperties::<f32>::of_parts(&[]),
+        MassProperties::<f32>::from_parts(&[]),
         Err(Error::Empty { field: "parts" })
     );
     assert_eq!(
-        MassProperties::<f32>::of_points(&[]),
+        MassProperties::<f32>::from_points(&[]),
         Err(Error::Empty { field: "points" })
     );
 }
 
 #[test]
 fn places() {
-    let body = disc::<f32>(1).unwrap().of_mass(1).unwrap();
+    let body = disc::<f32>(1).unwrap().with_mass(1).unwrap();
     let refused = |field| Error::NotFinite { field };
     for bad in [f32::NAN, f32::INFINITY] {
         let bad = Vec2::new(0.0, bad);
@@ -86,7 +89,7 @@ fn places() {
             mass: dec!(1),
         };
         assert_eq!(
-            MassProperties::of_points(&[point]),
+            MassProperties::from_points(&[point]),
             Err(refused("position"))
         );
     }
@@ -94,17 +97,17 @@ fn places() {
     assert_eq!(body.inertia_about(far), Err(refused("point")));
     let there = body.at(far).unwrap();
     assert_eq!(
-        MassProperties::of_parts(&[body, there]),
+        MassProperties::from_parts(&[body, there]),
         Err(refused("parts"))
     );
-    let edge = disc::<I8F24>(1).unwrap().of_mass(1).unwrap();
+    let edge = disc::<I8F24>(1).unwrap().with_mass(1).unwrap();
     let edge = edge.at(vec2(100, 0).unwrap()).unwrap();
     assert_eq!(edge.at(vec2(100, 0).unwrap()), Err(refused("position")));
 }
 
 #[test]
 fn holes() {
-    let plate = disc::<f32>(1).unwrap().of_mass(2).unwrap();
+    let plate = disc::<f32>(1).unwrap().with_mass(2).unwrap();
     let refused = |value| {
         Err(Error::OutOfRange {
             field: "hole",
@@ -113,11 +116,14 @@ fn holes() {
     };
     let heavy = disc::<f32>(dec!(0.1)).unwrap();
     for mass in [dec!(2), dec!(3)] {
-        assert_eq!(plate.without(&heavy.of_mass(mass).unwrap()), refused(mass));
+        assert_eq!(
+            plate.without(&heavy.with_mass(mass).unwrap()),
+            refused(mass)
+        );
     }
     // Lighter, but wider: 1 kg at 2 m is more than 1 kg m². So is a small one that lies outside.
-    let wide = ring::<f32>(2, 2).unwrap().of_mass(1).unwrap();
+    let wide = ring::<f32>(2, 2).unwrap().with_mass(1).unwrap();
     assert_eq!(plate.without(&wide), refused(dec!(4)));
-    let outside = heavy.of_mass(1).unwrap().at(vec2(5, 0).unwrap()).unwrap();
+    let outside = heavy.with_mass(1).unwrap().at(vec2(5, 0).unwrap()).unwrap();
     assert_eq!(plate.without(&outside), refused(dec!(0.005)));
 }

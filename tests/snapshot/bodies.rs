@@ -17,7 +17,7 @@ struct Rocket {
 
 impl Body for Rocket {
     type S = I16F16;
-    type Spin = fixstep::spin::NoSpin;
+    type Spin = fixstep::body::NoSpin;
 
     fn position(&self) -> Vec2<I16F16> {
         self.point.position()

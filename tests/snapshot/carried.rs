@@ -59,7 +59,7 @@ fn check_layout<S: Kept + Carry>(rest: usize) {
         assert_eq!(number(6), mass.store());
         // Rounded, the halves of a place are what is seen.
         let places = [[number(0), number(1)], [number(2), number(3)]];
-        let seen = places.map(|halves| S::seen(S::of_halves(halves).unwrap()));
+        let seen = places.map(|halves| S::seen(S::from_halves(halves).unwrap()));
         assert!(seen == body.position().array());
         let rests = [0, 1].map(|k| get(&bytes, (start + 7 * size + k * rest, rest)));
         left_over += rests.iter().filter(|&&bits| bits != 0).count();

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use fixstep::rigid::{Centre, SavedRotor};
 use fixstep::{
-    Angle, Body, Carried, Carry, Factor, Point, Rigid, Rotating, Saved, Scalar, Vec2, Watched,
+    Angle, Body, Carried, Carry, Factor, Point, RangeChecked, Rigid, Rotating, Saved, Scalar, Vec2,
 };
 
 use super::bytes::Kept;
@@ -55,7 +55,7 @@ impl<C: Cast + Centre<Rotor: SavedRotor>> Cast for Rigid<C> {
             self.inv_mass().to_f64(),
             Rotating::inv_inertia(self).to_f64(),
         ];
-        if self.is_driven() {
+        if self.has_infinite_mass() {
             assert_eq!([mass, inertia], [0.0; 2]);
         } else {
             assert!(0.0 < mass && mass < f64::INFINITY, "{mass}");
@@ -65,13 +65,13 @@ impl<C: Cast + Centre<Rotor: SavedRotor>> Cast for Rigid<C> {
 }
 
 /// Every other has been outside.
-impl<B: Cast> Cast for Watched<B> {
+impl<B: Cast> Cast for RangeChecked<B> {
     // One that stands outside is marked when it is read.
     const EXACT: bool = false;
 
     fn of(point: Point<B::S>, seed: usize) -> Self {
         let body = B::of(point, seed);
-        let mut watched = Watched::new(body);
+        let mut watched = RangeChecked::new(body);
         if seed.is_multiple_of(2) {
             watched.shift(Vec2::new(B::S::MAX, B::S::MAX));
             watched.shift(Vec2::new(B::S::MAX, B::S::MAX));

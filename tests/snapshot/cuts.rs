@@ -3,7 +3,7 @@
 
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12, I32F32};
 use fixstep::{
-    Carried, Decay, DyadicStep, Force, Point, Rigid, Rotating, Step, TimeStep, Watched, World,
+    Carried, Decay, DyadicStep, Force, Point, RangeChecked, Rigid, Rotating, Step, TimeStep, World,
 };
 
 use super::bytes::Random;
@@ -172,7 +172,7 @@ fn cuts_of_bodies_that_turn_go_on_with_the_same_bits() {
     turned::<Rigid<Point<f32>>>(&Step::hz(60).unwrap(), "1/60", &mut met);
     let dyadic = DyadicStep::<I16F16, 1, 6>::new().unwrap();
     turned::<Rigid<Point<I16F16>>>(&dyadic, "1/64", &mut met);
-    turned::<Watched<Rigid<Point<I8F24>>>>(&Step::hz(60).unwrap(), "1/60 watched", &mut met);
+    turned::<RangeChecked<Rigid<Point<I8F24>>>>(&Step::hz(60).unwrap(), "1/60 watched", &mut met);
     turned::<Rigid<Carried<I16F16>>>(&Step::hz(60).unwrap(), "1/60 carried", &mut met);
     let dyadic = DyadicStep::<f32, 1, 6>::new().unwrap();
     turned::<Rigid<Carried<f32>>>(&dyadic, "1/64 carried", &mut met);

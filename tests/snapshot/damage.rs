@@ -1,7 +1,7 @@
 //! Damaged bytes are refused: each bit and each byte in turn, every loss and every addition.
 
 use fixstep::fixed::types::I16F16;
-use fixstep::{Carried, Point, Rigid, SnapshotError, Stored, Watched};
+use fixstep::{Carried, Point, RangeChecked, Rigid, SnapshotError, Stored};
 
 use super::bytes::{HEADER, Random, VERSION, get, seal};
 use super::cast::Cast;
@@ -23,7 +23,7 @@ fn all() -> impl Iterator<Item = Sample> {
     samples::all().chain([
         sample::<Rigid<Point<f32>>>("rigid points"),
         sample::<Rigid<Carried<I16F16>>>("rigid bodies that carry"),
-        sample::<Watched<Rigid<Point<I16F16>>>>("watched rigid points"),
+        sample::<RangeChecked<Rigid<Point<I16F16>>>>("watched rigid points"),
     ])
 }
 

@@ -2,7 +2,7 @@
 //! strings stop at the first four bytes, so others have their checksum made good.
 
 use fixstep::fixed::types::{I16F16, I32F32};
-use fixstep::{Body, Carried, Force, Point, Rigid, Saved, Step, Stored, Watched};
+use fixstep::{Body, Carried, Force, Point, RangeChecked, Rigid, Saved, Step, Stored};
 
 use super::bytes::{self, HEADER, ID, Kept, Random, body, length, put, seal};
 use super::cast::Cast;
@@ -50,7 +50,7 @@ turning!(
     Rigid<Point<I16F16>>,
     Rigid<Carried<I16F16>>,
     Rigid<Carried<f32>>,
-    Watched<Rigid<Point<f32>>>
+    RangeChecked<Rigid<Point<f32>>>
 );
 
 /// Loads, and looks at what came of it.
@@ -157,7 +157,7 @@ fn mutants_and_strings_of_bodies_that_turn() {
         mutants::<Rigid<Point<I16F16>>, TURNING_MUTANTS>,
         mutants::<Rigid<Carried<I16F16>>, TURNING_MUTANTS>,
         mutants::<Rigid<Carried<f32>>, TURNING_MUTANTS>,
-        mutants::<Watched<Rigid<Point<f32>>>, TURNING_MUTANTS>,
+        mutants::<RangeChecked<Rigid<Point<f32>>>, TURNING_MUTANTS>,
         spells::<Rigid<Point<I16F16>>>,
     ];
     let tally = every_body(0x7417, "bodies that turn", bodies);

@@ -2,7 +2,8 @@
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{
-    Angle, Body, Carried, Kind, Point, Rigid, Saved, SnapshotError, Vec2, Watched, World, dec, vec2,
+    Angle, Body, Carried, Kind, Point, RangeChecked, Rigid, Saved, SnapshotError, Vec2, World, dec,
+    vec2,
 };
 
 use super::bytes::{HEADER, ID, KIND, SIZE, get, with};
@@ -108,7 +109,10 @@ fn every_byte_of_a_body_that_turns_and_carries() {
         ],
     );
     // A mark behind: whether it was outside.
-    let watched = [Watched::new(one::<Point<I16F16>>()), Watched::new(driven())];
+    let watched = [
+        RangeChecked::new(one::<Point<I16F16>>()),
+        RangeChecked::new(driven()),
+    ];
     let plain = bytes(watched.map(|body| *body.body()));
     let [first, second] = [0, 1].map(|i| &plain[HEADER + i * 38 + ID..][..34]);
     golden(watched, 3 | 0x4000, [&[first, &[0]], &[second, &[0]]]);
@@ -124,7 +128,7 @@ fn sizes_are_those_of_the_documentation() {
     assert_eq!(Rigid::<Carried<f32>>::BYTES, 32 + 1 + 8 + 4 + 4 + 2);
     assert_eq!(Rigid::<Point<f64>>::BYTES, 40 + 1 + 8 + 8 + 8);
     assert_eq!(Rigid::<Carried<f64>>::BYTES, 64 + 1 + 16 + 8 + 8 + 4);
-    assert_eq!(Watched::<Rigid<Point<f32>>>::BYTES, 34);
+    assert_eq!(RangeChecked::<Rigid<Point<f32>>>::BYTES, 34);
 }
 
 fn kinds_of<B: Cast>() -> [usize; 3] {
@@ -133,8 +137,8 @@ fn kinds_of<B: Cast>() -> [usize; 3] {
     let (mut driven, mut locked) = (0, 0);
     for (body, again) in world.bodies().iter().zip(again.bodies()) {
         assert_eq!(format!("{body:?}"), format!("{again:?}"));
-        driven += usize::from(again.is_driven());
-        locked += usize::from(!again.is_driven() && again.spin_momentum() == 0.0);
+        driven += usize::from(again.has_infinite_mass());
+        locked += usize::from(!again.has_infinite_mass() && again.spin_momentum() == 0.0);
     }
     [world.len(), driven, locked]
 }
@@ -145,8 +149,8 @@ fn driven_and_locked_bodies_come_back() {
     assert_eq!(kinds_of::<Rigid<Point<f32>>>(), expected);
     assert_eq!(kinds_of::<Rigid<Point<I16F16>>>(), expected);
     assert_eq!(kinds_of::<Rigid<Carried<I8F24>>>(), expected);
-    assert_eq!(kinds_of::<Watched<Rigid<Point<I8F24>>>>(), expected);
-    let wall = Rigid::<Point<I16F16>>::fixed(vec2(5, 5).unwrap()).unwrap();
+    assert_eq!(kinds_of::<RangeChecked<Rigid<Point<I8F24>>>>(), expected);
+    let wall = Rigid::<Point<I16F16>>::static_at(vec2(5, 5).unwrap()).unwrap();
     let bytes = bytes([wall, driven()]);
     let mut again = World::<Rigid<Point<I16F16>>, 2>::load(&bytes).unwrap();
     assert_eq!(again.bodies()[0].kind(), Kind::Static);
@@ -166,7 +170,10 @@ fn refused<B: Saved>(bytes: &[u8]) -> SnapshotError {
 fn kinds_are_not_mistaken_for_one_another() {
     let plain = bytes([one::<Point<I16F16>>(), driven()]);
     let carried = bytes([one::<Carried<I16F16>>(), driven()]);
-    let watched = bytes([Watched::new(one::<Point<I16F16>>()), Watched::new(driven())]);
+    let watched = bytes([
+        RangeChecked::new(one::<Point<I16F16>>()),
+        RangeChecked::new(driven()),
+    ]);
     let kind = SnapshotError::Kind;
     assert_eq!(refused::<Point<I16F16>>(&plain), kind(3));
     assert_eq!(refused::<Rigid<Carried<I16F16>>>(&plain), kind(3));

@@ -1,6 +1,6 @@
 //! A scene of bodies that turn: a motor, springs off the centre, a wind with a torque, a bearing.
 
-use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::{
     BodyId, Decay, Force, GravityY, Pairs, PerBody, Rotating, Scalar, Spring, Time, dec, heapless,
     vec2,
@@ -12,7 +12,7 @@ use super::scenes::{FIRST, Scene, named};
 pub fn turning<B: Cast + Rotating<S: Decay>>(world: &Scene<B>) -> impl Force<B> + use<B> {
     let wind = |_: Time, body: &B| {
         let pull = B::S::ratio(dec!(-0.07)).unwrap().coef();
-        let arm = body.rotation().turn(vec2(dec!(0.3), dec!(0.1)).unwrap());
+        let arm = body.rotation().rotate(vec2(dec!(0.3), dec!(0.1)).unwrap());
         Wrench::at(arm, body.position().scaled(pull))
     };
     let mut ties = heapless::Vec::<[BodyId; 2], FIRST>::new();

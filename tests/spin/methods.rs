@@ -20,7 +20,7 @@ fn check<S: Grid + CarryAngular>(spin: f64, round: f64) {
     let fraction = S::unit(0.0).log2();
     for scheme in ALL_SCHEMES {
         let mut body = spinning::<Carried<S>>(spin);
-        body.push_round(scalar(round));
+        body.push_angular(scalar(round));
         let kept = kept(&body);
         assert_ne!(kept % (1 << 15), 0, "no remainder");
         let (mut world, step) = (World::<_, 1>::new(), DyadicStep::<S, 1, 6>::new().unwrap());

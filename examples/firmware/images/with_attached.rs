@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use fixstep::torque::Attached;
+use fixstep::rigid::torque::Attached;
 use fixstep::{Pairs, Spring, dec, vec2};
 use measure::weigh;
 

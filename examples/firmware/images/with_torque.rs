@@ -4,7 +4,7 @@
 
 use fixstep::dec;
 use fixstep::fixed::types::I16F16;
-use fixstep::torque::{SpinDrag, Torque};
+use fixstep::rigid::torque::{SpinDrag, Torque};
 use measure::weigh;
 
 board::image!(|_| weigh::turning(|[body, _]| {

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 DOUBLES = re.compile(r"__(aeabi_(d|cd|[a-z]+2d)|[a-z]+df)")
 PANICS = re.compile(r"panic|unwrap_failed|expect_failed|slice_index|a_panic_is_possible")
 # Modules of bodies that turn, as names of the compiler have them: none of a scene of points.
-TURNING = re.compile(r"5rigid|6torque|5shape|13angular_fixed|13angular_float|6circle")
+TURNING = re.compile(r"5rigid|6torque|4mass(4disc|4ring|7capsule|7outline|7polygon|9rectangle|10properties)|7angular|6circle")
 FORBIDDEN = re.compile(r"__rust_alloc|__rust_realloc|__rdl_|__rg_|^malloc$|^calloc$|__atomic_|__sync_")
 
 

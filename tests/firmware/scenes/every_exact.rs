@@ -5,8 +5,8 @@ use core::hint::black_box;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::integrate::damp;
-use fixstep::snapshot::HEADER;
 use fixstep::time::Now;
+use fixstep::world::snapshot::HEADER;
 use fixstep::{
     AllPairs, Anchor, Ballistic, Body, Carried, Carry, ConstantAcceleration, Decay, DyadicStep,
     Error, Euler, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring, Force, GravityY,
@@ -49,7 +49,7 @@ where
     let free = ExactSpring::new(d, vec2(8, 0)?, dec!(25.7), 0)?;
     let mut forces = (
         GravityY::new(-5)?,
-        [tied.under(vec2(0, -5)?)?, free],
+        [tied.with_gravity(vec2(0, -5)?)?, free],
         ExactPair::new([b, c], vec2(2, 0)?, black_box(dec!(1.1)), dec!(0.1))?,
         Window::new(20..60, Push::new(b, vec2(1, 3)?)),
         (

@@ -4,15 +4,15 @@
 use core::hint::black_box;
 
 use fixstep::fixed::types::I16F16;
+use fixstep::mass::{capsule, convex_polygon, disc, polygon, rectangle, ring};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::rigid::{Centre, SavedRotor};
 use fixstep::scalar::Rational;
-use fixstep::shape::{capsule, convex_polygon, disc, polygon, rectangle, ring};
-use fixstep::snapshot::{HEADER, Saved};
-use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
+use fixstep::world::snapshot::{HEADER, Saved};
 use fixstep::{
     AllPairs, Anchor, Angle, Ballistic, Between, Carried, Decay, Error, ExactPair, ExactSpring,
-    MassProperties, Pairs, PerBody, Point, PointMass, Pull, Ratio, Rigid, Rotating, Scalar,
-    SemiImplicitEuler, Spring, Step, Time, Vec2, Verlet, Watched, World, dec, vec2,
+    MassProperties, Pairs, PerBody, Point, PointMass, Pull, RangeChecked, Ratio, Rigid, Rotating,
+    Scalar, SemiImplicitEuler, Spring, Step, Time, Vec2, Verlet, World, dec, vec2,
 };
 
 /// Of both centres, in fixed point and in floats. Inlined, as all here that is of one type: no other image has it then.
@@ -31,15 +31,15 @@ pub fn hash() -> Result<u64, Error> {
 fn properties<S: Rational>() -> Result<MassProperties<S>, Error> {
     let corner = |x, y| vec2(black_box(x), y);
     let corners = [corner(0, 0)?, corner(2, 0)?, corner(2, 1)?, corner(0, 1)?];
-    let head = convex_polygon(&corners)?.of_density(black_box(dec!(1.5)))?;
+    let head = convex_polygon(&corners)?.with_density(black_box(dec!(1.5)))?;
     let bore = disc(dec!(0.25))?
-        .of_density(dec!(1.5))?
+        .with_density(dec!(1.5))?
         .at(vec2(1, dec!(0.5))?)?;
-    let handle = rectangle(dec!(0.2), black_box(3))?.of_mass(2)?;
-    let grip = capsule(black_box(1), dec!(0.2))?.of_mass(dec!(0.3))?;
-    let rim = ring(dec!(0.5), black_box(dec!(0.4)))?.of_mass(1)?;
+    let handle = rectangle(dec!(0.2), black_box(3))?.with_mass(2)?;
+    let grip = capsule(black_box(1), dec!(0.2))?.with_mass(dec!(0.3))?;
+    let rim = ring(dec!(0.5), black_box(dec!(0.4)))?.with_mass(1)?;
     let arrow =
-        polygon(&[corner(0, 0)?, corner(3, 1)?, corner(1, 1)?, corner(1, 3)?])?.of_mass(1)?;
+        polygon(&[corner(0, 0)?, corner(3, 1)?, corner(1, 1)?, corner(1, 3)?])?.with_mass(1)?;
     let points = [1, 2].map(|mass| PointMass {
         position: Vec2::ZERO,
         velocity: Vec2::ZERO,
@@ -51,9 +51,9 @@ fn properties<S: Rational>() -> Result<MassProperties<S>, Error> {
         grip.at(vec2(1, -3)?)?,
         rim,
         arrow,
-        MassProperties::of_points(&points)?,
+        MassProperties::from_points(&points)?,
     ];
-    MassProperties::of_parts(&parts)
+    MassProperties::from_parts(&parts)
 }
 
 fn of<C>() -> Result<u64, Error>
@@ -63,7 +63,7 @@ where
     let mut world = World::<Rigid<C>, 4>::new();
     let whole = properties::<C::S>()?;
     let about = whole.inertia_about(Vec2::ZERO)?.num() as u64;
-    let body = Rigid::<C>::of(&whole, vec2(black_box(1), 0)?)?;
+    let body = Rigid::<C>::from_properties(&whole, vec2(black_box(1), 0)?)?;
     let turned = body
         .with_angle(Angle::degrees(black_box(30)))
         .with_spin(black_box(2))?;
@@ -75,12 +75,12 @@ where
     ) else {
         return Ok(0);
     };
-    let _ = world.add(Rigid::fixed(vec2(-4, 0)?)?);
+    let _ = world.add(Rigid::static_at(vec2(-4, 0)?)?);
     let step = Step::hz(60)?;
     let torque = C::S::ratio(dec!(0.3)).unwrap_or(C::S::ZERO);
     let wrench = PerBody(move |_: Time, body: &Rigid<C>| {
         Wrench::at(
-            body.rotation().turn(Vec2::new(torque, torque)),
+            body.rotation().rotate(Vec2::new(torque, torque)),
             Vec2::new(torque, C::S::ZERO),
         )
     });
@@ -135,7 +135,7 @@ fn touched<C: Centre>(world: &mut World<Rigid<C>, 4>, id: fixstep::BodyId) -> Re
     let point = body.to_world(vec2(1, 1)?);
     let own = body.to_own(point);
     body.push_at(point, vec2(dec!(0.5), 0)?);
-    body.push_round(own.x);
+    body.push_angular(own.x);
     let speed = body.velocity_at(point);
     body.set_velocity(speed)?;
     body.set_spin(body.spin().plus(speed.y))?;
@@ -146,9 +146,12 @@ fn touched<C: Centre>(world: &mut World<Rigid<C>, 4>, id: fixstep::BodyId) -> Re
 /// Out and back.
 #[inline]
 fn back() -> Result<u64, Error> {
-    let mut world = World::<Watched<Rigid<Point<I16F16>>>, 1>::new();
+    let mut world = World::<RangeChecked<Rigid<Point<I16F16>>>, 1>::new();
     let whole = properties()?;
-    let id = world.add(Watched::new(Rigid::of(&whole, vec2(0, 3)?)?))?;
+    let id = world.add(RangeChecked::new(Rigid::from_properties(
+        &whole,
+        vec2(0, 3)?,
+    )?))?;
     let mut forces = Torque {
         body: id,
         torque: I16F16::ONE,

@@ -5,18 +5,18 @@ use core::hint::black_box;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::integrate::{drift, drift_half, kick};
-use fixstep::snapshot::HEADER;
 use fixstep::time::Now;
+use fixstep::world::snapshot::HEADER;
 use fixstep::{
     Accumulator, AllBodies, AllPairs, Anchor, Between, Body, BodyId, CentreOfMass,
     ConstantAcceleration, DyadicStep, Error, Euler, Force, Gravity, GravityY, LinearDrag, Method,
-    Pairs, PerBody, Point, PointMass, PositionOnly, Pull, Push, QuadraticDrag, Rewinds, Scalar,
-    SemiImplicitEuler, Spring, Step, Stored, Time, TimeStep, Vec2, Verlet, Watched, Window, World,
-    dec, heapless, vec2,
+    Pairs, PerBody, Point, PointMass, PositionOnly, Pull, Push, QuadraticDrag, RangeChecked,
+    Rewinds, Scalar, SemiImplicitEuler, Spring, Step, Stored, Time, TimeStep, Vec2, Verlet, Window,
+    World, dec, heapless, vec2,
 };
 const N: usize = 4;
 
-type Ball = Watched<Point<I16F16>>;
+type Ball = RangeChecked<Point<I16F16>>;
 
 /// Every force at once.
 fn forces<S: Scalar>([a, b, c]: [BodyId; 3]) -> Result<impl Force<Point<S>>, Error> {
@@ -133,7 +133,7 @@ fn beside<S: Scalar<InvMass: Stored> + Stored>(
         velocity: Vec2::ZERO,
         mass,
     });
-    let whole = CentreOfMass::of(black_box(&[ball, other]))?.point()?;
+    let whole = CentreOfMass::new(black_box(&[ball, other]))?.point()?;
     Ok(sum ^ whole.position().x.bits() ^ whole.inv_mass().store())
 }
 
@@ -148,7 +148,8 @@ fn scalar<S: Scalar<InvMass: Stored> + Stored>() -> Result<u64, Error> {
 /// Out and back by every force that can; zero if the world returns.
 fn returned(method: &mut impl Rewinds<Ball, N>) -> Result<u64, Error> {
     let mut world = World::<Ball, N>::new();
-    let at = |x, y| Point::new(vec2(black_box(x), y)?, vec2(0, 1)?, dec!(1.5)).map(Watched::new);
+    let at =
+        |x, y| Point::new(vec2(black_box(x), y)?, vec2(0, 1)?, dec!(1.5)).map(RangeChecked::new);
     let (a, b) = (world.add(at(0, 0)?)?, world.add(at(3, 4)?)?);
     let tide = |time: Time, _: &Ball| {
         vec2(1, 0).map_or(Vec2::ZERO, |v| v.scaled(time.seconds::<I16F16>().coef()))
@@ -179,7 +180,7 @@ fn returned(method: &mut impl Rewinds<Ball, N>) -> Result<u64, Error> {
         ball.change(|point| point.teleport(Vec2::new(I16F16::MAX, I16F16::ZERO)))?;
         ball.forget();
     }
-    let kept = world.bodies().iter().all(Watched::was_outside);
+    let kept = world.bodies().iter().all(RangeChecked::was_outside);
     Ok(hash ^ start ^ tick ^ u64::from(!kept))
 }
 

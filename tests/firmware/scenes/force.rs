@@ -5,7 +5,7 @@ use core::hint::black_box;
 use core::marker::PhantomData;
 
 use fixstep::fixed::types::I16F16;
-use fixstep::snapshot::HEADER;
+use fixstep::world::snapshot::HEADER;
 use fixstep::{
     Accumulator, AllPairs, Anchor, Ballistic, Between, Body, BodyId, Carried, Decay, Error,
     ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring, Force, LinearDrag, Pairs, PerBody,

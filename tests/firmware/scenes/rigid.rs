@@ -5,7 +5,7 @@ use core::hint::black_box;
 
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::rigid::Centre;
-use fixstep::torque::{Attached, SpinDrag, Torque, Wrench};
+use fixstep::rigid::torque::{Attached, SpinDrag, Torque, Wrench};
 use fixstep::{
     Angle, Angular, Body, BodyId, Carried, ConstantAcceleration, Decay, DyadicStep, Error, Euler,
     Force, GravityY, Method, Pairs, Pefrl, PerBody, Point, Rigid, Rk4, Scalar, SemiImplicitEuler,
@@ -222,11 +222,11 @@ fn angles<S: Angular>(meter: &mut impl Meter, scalar: &'static str) -> Result<()
     meter.work(name("Angle::rotation"), TIMES, sines, S::bits);
     let vectors = || {
         all(|angle, far| {
-            let v = angle.rotation().turn(Vec2::new(far, far));
+            let v = angle.rotation().rotate(Vec2::new(far, far));
             v.x.plus(v.y)
         })
     };
-    meter.work(name("Rotation::turn"), TIMES, vectors, S::bits);
+    meter.work(name("Rotation::rotate"), TIMES, vectors, S::bits);
     let lengths = || all(|_, far| Vec2::new(black_box(far), far).length());
     meter.work(name("Vec2::length"), TIMES, lengths, S::bits);
     Ok(())

@@ -68,12 +68,12 @@ impl<F: LeEqU32> TimeStep<FixedI32<F>> for Long<FixedI32<F>> {
     }
 
     #[inline(always)]
-    fn of(&self, rate: FixedI32<F>) -> FixedI32<F> {
+    fn times(&self, rate: FixedI32<F>) -> FixedI32<F> {
         FixedI32::from_bits(upper(rate.to_bits(), self.factor))
     }
 
     #[inline(always)]
-    fn half_of(&self, rate: FixedI32<F>) -> FixedI32<F> {
+    fn half_times(&self, rate: FixedI32<F>) -> FixedI32<F> {
         FixedI32::from_bits(upper(rate.to_bits(), self.half))
     }
 

@@ -1,0 +1,92 @@
+//! Linear drag, solved exactly: `v' = v exp(-k h / m)`.
+//!
+//! A factor, not a force: velocities shrink and never change sign, however large `k h / m` is, and an
+//! undriven body follows the exact decay. Methods apply it beside their kicks, [`Verlet`] half before
+//! and half after, so its order stays 2.
+//! Source: the exact solution of `m v' = -k v`, the article's Eq. 12; the splitting is that of Strang,
+//! as Leimkuhler, Matthews, Appl. Math. Res. eXpress 2013 (2013), "O" of BAOAB.
+//!
+//! [`Verlet`]: crate::integrate::Verlet
+
+use crate::body::Body;
+use crate::error::Error;
+use crate::force::{Force, Part, PerStep, coefficient, half};
+use crate::ratio::Ratio;
+use crate::scalar::{Decay, Scalar};
+use crate::time::Now;
+use crate::time::TimeStep;
+
+/// Drag in proportion to the velocity, on every body, exact at any step.
+///
+/// In fixed point a [`Point`](crate::Point) loses a unit of speed or more in each part of a step, so that
+/// it comes to rest; it is not started by less than that. A [`Carried`](crate::Carried) has no such edge.
+///
+/// The factor depends on the mass: it is made anew where a body has another mass than the one before
+/// it. A world in which equal masses stand side by side pays for it once.
+///
+/// ```
+/// use fixstep::{dec, vec2, ExactDrag, Point, SemiImplicitEuler, Step, World};
+/// let mut world = World::<_, 1>::new();
+/// let id = world.add(Point::<f32>::new(vec2(0, 0)?, vec2(8, 0)?, 2)?)?;
+/// let mut drag = ExactDrag::new(12_000)?; // k h / m is 100: the explicit force would explode
+/// world.step(&mut SemiImplicitEuler, &mut drag, &Step::hz(60)?);
+/// assert!(world.get(id)?.velocity().x < 1e-30);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ExactDrag<S: Scalar> {
+    drag: S::Coef,
+    per_step: PerStep<S, S::Coef>,
+    rate: S::Coef,
+    known: Option<Known<S>>,
+}
+
+/// A mass, the part of a step, and what it loses in it.
+type Known<S> = (<S as Scalar>::InvMass, bool, <S as Scalar>::Coef);
+
+impl<S: Decay> ExactDrag<S> {
+    /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
+    #[inline]
+    pub fn new(drag: impl Into<Ratio>) -> Result<ExactDrag<S>, Error> {
+        let drag = coefficient::<S>("drag", drag.into())?;
+        Ok(ExactDrag {
+            drag,
+            per_step: PerStep::new(),
+            rate: drag,
+            known: None,
+        })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn renew(&mut self, inv_mass: S::InvMass, whole: bool) -> S::Coef {
+        let over = S::product(self.rate, inv_mass.into());
+        let over = if whole { over } else { half::<S>(over) };
+        let [loss, ..] = S::decay(over);
+        self.known = Some((inv_mass, whole, loss));
+        loss
+    }
+}
+
+impl<B: Body<S: Decay>> Force<B> for ExactDrag<B::S> {
+    const COUPLES: bool = false;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let product = |h| B::S::product(self.drag, h);
+        let rate = self.per_step.get(&now.step, product);
+        if rate != self.rate {
+            (self.rate, self.known) = (rate, None);
+        }
+    }
+
+    #[inline]
+    fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
+        let (inv_mass, whole) = (live.inv_mass(), part == Part::Whole);
+        let loss = match self.known {
+            Some((of, in_whole, loss)) if of == inv_mass && in_whole == whole => loss,
+            _ => self.renew(inv_mass, whole),
+        };
+        live.damp(loss);
+    }
+}

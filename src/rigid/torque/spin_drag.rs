@@ -1,0 +1,91 @@
+//! Drag against the spin, `M = -c ω`, as an exact factor: `s' = s exp(-c h / I)`.
+//!
+//! No limit on `c h / I`. With the units of the crate `c / I = 2π c · 1 / 2πI`.
+
+use crate::error::Error;
+use crate::force::{Force, Part, PerStep, coefficient, half};
+use crate::ratio::Ratio;
+use crate::rigid::Rotating;
+use crate::scalar::{Angular, Decay, Scalar};
+use crate::time::Now;
+use crate::time::TimeStep;
+
+/// A torque against the spin and in proportion to it, on every body that turns: a bearing, or air.
+///
+/// As with [`ExactDrag`](crate::ExactDrag) the factor is made anew where a body has another inertia than the
+/// one before it, and in fixed point a spin loses a unit or more in each part of a step, so that it
+/// comes to rest; a body that carries has no such edge.
+///
+/// Beside a motor it is exact no more: a rotor then turns with `x / (exp(x) - 1)` of `M / c` by `SemiImplicitEuler` and
+/// `(x/2) / sinh(x/2)` of it by `Verlet`, with `x = c h / I`.
+///
+/// ```
+/// use fixstep::{dec, rigid::torque::SpinDrag, vec2, Point, Rigid, SemiImplicitEuler, Step, World};
+/// let centre = Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?;
+/// let mut world = World::<_, 1>::new();
+/// let wheel = world.add(Rigid::new(centre, 2)?.with_spin(1)?)?;
+/// let mut bearing = SpinDrag::new(dec!(0.5))?; // a time constant of I / c = 4 s
+/// for _ in 0..240 {
+///     world.step(&mut SemiImplicitEuler, &mut bearing, &Step::hz(60)?);
+/// }
+/// assert!((world.get(wheel)?.spin() - (-1.0_f32).exp()).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SpinDrag<S: Scalar> {
+    drag: S::Coef,
+    per_step: PerStep<S, S::Coef>,
+    rate: S::Coef,
+    known: Option<Known<S>>,
+}
+
+/// An inverse inertia, the part of a step, and what is lost in it.
+type Known<S> = (<S as Scalar>::Coef, bool, <S as Scalar>::Coef);
+
+impl<S: Decay + Angular> SpinDrag<S> {
+    /// `drag` in N m s per radian, not negative. Refuses a value that the scalar's coefficients cannot
+    /// hold.
+    #[inline]
+    pub fn new(drag: impl Into<Ratio>) -> Result<SpinDrag<S>, Error> {
+        let drag = coefficient::<S>("drag", drag.into())?;
+        Ok(SpinDrag {
+            drag,
+            per_step: PerStep::new(),
+            rate: drag,
+            known: None,
+        })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn renew(&mut self, inv_inertia: S::Coef, whole: bool) -> S::Coef {
+        let over = S::product(self.rate, inv_inertia);
+        let over = if whole { over } else { half::<S>(over) };
+        let [loss, ..] = S::decay(over);
+        self.known = Some((inv_inertia, whole, loss));
+        loss
+    }
+}
+
+impl<B: Rotating<S: Decay + Angular>> Force<B> for SpinDrag<B::S> {
+    const COUPLES: bool = false;
+
+    #[inline]
+    fn prepare<H: TimeStep<B::S>>(&mut self, now: &Now<H>) {
+        let product = |h| B::S::product(B::S::product(self.drag, h), B::S::TAU);
+        let rate = self.per_step.get(&now.step, product);
+        if rate != self.rate {
+            (self.rate, self.known) = (rate, None);
+        }
+    }
+
+    #[inline]
+    fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
+        let (inv_inertia, whole) = (live.inv_inertia(), part == Part::Whole);
+        let loss = match self.known {
+            Some((of, in_whole, loss)) if of == inv_inertia && in_whole == whole => loss,
+            _ => self.renew(inv_inertia, whole),
+        };
+        live.damp_spin(loss);
+    }
+}

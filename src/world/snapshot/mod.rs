@@ -1,0 +1,265 @@
+//! A world as bytes, and back: for a save file, a rollback over a wire, a crash dump.
+//!
+//! ```text
+//!  0  4  "fixs"          16  4  number of bodies
+//!  4  2  version         20  8  tick
+//!  6  2  kind of body    28  8  next id
+//!  8  4  number type     36  4  FNV-1a of all other bytes
+//! 12  4  bytes a body    40  .  id and state of each body, in order
+//! ```
+//!
+//! Little endian on every target. With its id a body takes, in bytes:
+//!
+//! | | [`Point`](crate::Point) | [`Carried`](crate::Carried) | [`Rigid`](crate::Rigid) of a point | of one that carries |
+//! |---|---|---|---|---|
+//! | 32-bit fixed point | 24 | 36 | 38 | 56 |
+//! | `f32` | 24 | 36 | 37 | 55 |
+//!
+//! and one more if it is [`RangeChecked`](crate::RangeChecked). The world that is read continues with the same bits, on any target that
+//! makes the same bits. Forces, method and step are no part of it: the scene makes them as it did before, for the ids it finds
+//! in [`World::ids`]. Within one program a clone of the world does the same for less.
+//!
+//! Nothing is read from bytes of which one was changed: a byte enters the sum by steps that can be
+//! undone, so no two inputs that differ in one byte have the same.
+
+mod bodies;
+mod range_checked;
+
+use core::fmt;
+
+use crate::body::Body;
+use crate::body::id::BodyId;
+use crate::scalar::Stored;
+use crate::world::World;
+use crate::world::fnv::Fnv32;
+
+/// The format that is written, and the only one that is read.
+pub const VERSION: u16 = 1;
+
+/// Bytes before the first body.
+pub const HEADER: usize = 40;
+
+const MAGIC: [u8; 4] = *b"fixs";
+/// Where the checksum stands.
+const SUM: core::ops::Range<usize> = 36..40;
+/// Bytes of an id.
+const ID: usize = 4;
+/// Stands for an id after the last one.
+const NO_ID: u64 = 1 << 32;
+
+/// A body that a snapshot can hold.
+pub trait Saved: Body<S: Stored> {
+    /// Tells kinds of bodies apart. Yours starts at `0x8000` and ends below `0xC000`: a
+    /// [`RangeChecked`](crate::RangeChecked) body sets the bit `0x4000`. A [`Rigid`](crate::Rigid) body has that of its
+    /// centre and two more.
+    const KIND: u16;
+
+    /// Bytes of its state: as many as `save` hands out and `load` takes.
+    const BYTES: usize;
+
+    /// Hands its state to `write`, which takes the lowest bytes of a word and their number, 8 at
+    /// most.
+    fn save(&self, write: &mut impl FnMut(u64, usize));
+
+    /// The body of the state that `read` gives, in the order in which it was saved; `None` where no
+    /// body has it.
+    #[must_use]
+    fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self>;
+}
+
+/// Why bytes were not written or not read. Nothing is changed by the call that returns it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SnapshotError {
+    /// There are fewer or more bytes than the snapshot has.
+    Length {
+        /// Bytes that it has, as far as is known.
+        needed: usize,
+        /// Bytes there are.
+        given: usize,
+    },
+    /// The bytes do not begin as a snapshot does.
+    NotASnapshot,
+    /// It is of another version of the format.
+    Version(u16),
+    /// Bytes were changed.
+    Checksum,
+    /// It holds another kind of body, or one whose state takes another number of bytes.
+    Kind(u16),
+    /// It holds another number type.
+    Scalar(u32),
+    /// It holds more bodies than the world can.
+    Full {
+        /// Bodies that it holds.
+        bodies: u32,
+        /// Bodies that the world holds.
+        capacity: usize,
+    },
+    /// No world has this state: ids that do not rise, a mass, an inertia or a remainder that is none.
+    State,
+}
+
+impl fmt::Display for SnapshotError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { needed, given } => {
+                write!(f, "a snapshot of {needed} bytes does not fit {given}")
+            }
+            Self::NotASnapshot => f.write_str("these bytes are no snapshot"),
+            Self::Version(version) => {
+                write!(f, "snapshot has version {version}, this reads {VERSION}")
+            }
+            Self::Checksum => f.write_str("snapshot was damaged: its checksum is wrong"),
+            Self::Kind(kind) => write!(f, "snapshot has bodies of another kind: {kind}"),
+            Self::Scalar(format) => {
+                write!(f, "snapshot has another number type: {format:#010x}")
+            }
+            Self::Full { bodies, capacity } => {
+                write!(
+                    f,
+                    "snapshot has {bodies} bodies, the world holds {capacity}"
+                )
+            }
+            Self::State => f.write_str("snapshot has a state that no world can have"),
+        }
+    }
+}
+
+impl core::error::Error for SnapshotError {}
+
+impl<B: Saved, const N: usize> World<B, N> {
+    /// Bytes of a snapshot of a full world.
+    pub const SNAPSHOT: usize = HEADER + N * (ID + B::BYTES);
+
+    /// Writes the world to the front of `bytes` and returns how many it took: 40, and 24 for each
+    /// [`Point`](crate::Point) of a 32-bit scalar. Refuses a slice that is too short.
+    ///
+    /// ```
+    /// use fixstep::{vec2, Point, World, fixed::types::I16F16};
+    /// type Scene = World<Point<I16F16>, 8>;
+    /// let mut world = Scene::new();
+    /// world.add(Point::new(vec2(0, 2)?, vec2(3, 0)?, 1)?).unwrap();
+    /// let mut bytes = [0; Scene::SNAPSHOT];
+    /// let length = world.save(&mut bytes).unwrap();
+    /// let again = Scene::load(&bytes[..length]).unwrap();
+    /// assert_eq!(again.state_hash(), world.state_hash());
+    /// assert!(World::<Point<f32>, 8>::load(&bytes[..length]).is_err());
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
+    pub fn save(&self, bytes: &mut [u8]) -> Result<usize, SnapshotError> {
+        let needed = HEADER + self.len() * (ID + B::BYTES);
+        let given = bytes.len();
+        let error = SnapshotError::Length { needed, given };
+        let bytes = bytes.get_mut(..needed).ok_or(error)?;
+        let mut out = Writer(bytes);
+        MAGIC.iter().for_each(|&byte| out.put(byte as u64, 1));
+        out.put(VERSION as u64, 2);
+        out.put(B::KIND as u64, 2);
+        out.put(B::S::FORMAT as u64, 4);
+        out.put(B::BYTES as u64, 4);
+        out.put(self.len() as u64, 4);
+        out.put(self.tick(), 8);
+        out.put(self.next_id().map_or(NO_ID, |id| id.serial() as u64), 8);
+        out.put(0, SUM.len());
+        for (id, body) in self.iter() {
+            out.put(id.serial() as u64, ID);
+            body.save(&mut |word, count| out.put(word, count));
+        }
+        let sum = checksum(bytes);
+        Writer(bytes.get_mut(SUM).unwrap_or_default()).put(sum as u64, SUM.len());
+        Ok(needed)
+    }
+
+    /// The world that [`save`](World::save) wrote. Refuses bytes of another version, number type,
+    /// kind of body or length, changed bytes, and more bodies than there is room for.
+    pub fn load(bytes: &[u8]) -> Result<Self, SnapshotError> {
+        let given = bytes.len();
+        let length = |needed| SnapshotError::Length { needed, given };
+        let (header, bodies) = bytes.split_at_checked(HEADER).ok_or(length(HEADER))?;
+        let mut from = Reader(header);
+        if MAGIC.iter().any(|&byte| from.take(1) != byte as u64) {
+            return Err(SnapshotError::NotASnapshot);
+        }
+        let version = from.take(2) as u16;
+        if version != VERSION {
+            return Err(SnapshotError::Version(version));
+        }
+        if checksum(bytes) as u64 != Reader(bytes.get(SUM).unwrap_or_default()).take(SUM.len()) {
+            return Err(SnapshotError::Checksum);
+        }
+        let (kind, format) = (from.take(2) as u16, from.take(4) as u32);
+        if kind != B::KIND {
+            return Err(SnapshotError::Kind(kind));
+        }
+        if format != B::S::FORMAT {
+            return Err(SnapshotError::Scalar(format));
+        }
+        if from.take(4) != B::BYTES as u64 {
+            return Err(SnapshotError::Kind(kind));
+        }
+        let count = from.take(4) as u32;
+        let (tick, next) = (from.take(8), from.take(8));
+        let needed = HEADER as u64 + count as u64 * (ID + B::BYTES) as u64;
+        if needed != given as u64 {
+            return Err(length(usize::try_from(needed).unwrap_or(usize::MAX)));
+        }
+        if count as usize > N {
+            let (bodies, capacity) = (count, N);
+            return Err(SnapshotError::Full { bodies, capacity });
+        }
+        Self::from_state(tick, next, count, &mut Reader(bodies)).ok_or(SnapshotError::State)
+    }
+
+    fn from_state(tick: u64, next: u64, count: u32, from: &mut Reader) -> Option<Self> {
+        let mut world = World::new();
+        for _ in 0..count {
+            let id = BodyId::from_serial(from.take(ID) as u32);
+            let body = B::load(&mut |count| from.take(count))?;
+            world.put_back(id, body)?;
+        }
+        let next = match next {
+            NO_ID => None,
+            _ => Some(BodyId::from_serial(u32::try_from(next).ok()?)),
+        };
+        world.go_on_from(tick, next)?;
+        Some(world)
+    }
+}
+
+/// Over all bytes but its own four.
+fn checksum(bytes: &[u8]) -> u32 {
+    let mut sum = Fnv32::new();
+    for part in [bytes.get(..SUM.start), bytes.get(SUM.end..)] {
+        part.unwrap_or_default()
+            .iter()
+            .for_each(|&byte| sum.write(byte));
+    }
+    sum.0
+}
+
+/// Little-endian words at the front of bytes that were counted before.
+struct Writer<'a>(&'a mut [u8]);
+
+impl Writer<'_> {
+    fn put(&mut self, word: u64, count: usize) {
+        if let Some((front, rest)) = core::mem::take(&mut self.0).split_at_mut_checked(count) {
+            let bytes = word.to_le_bytes();
+            front
+                .iter_mut()
+                .zip(bytes)
+                .for_each(|(to, byte)| *to = byte);
+            self.0 = rest;
+        }
+    }
+}
+
+struct Reader<'a>(&'a [u8]);
+
+impl Reader<'_> {
+    fn take(&mut self, count: usize) -> u64 {
+        let (front, rest) = self.0.split_at_checked(count).unwrap_or_default();
+        self.0 = rest;
+        let word = front.iter().rev();
+        word.fold(0, |word, &byte| word << 8 | byte as u64)
+    }
+}
