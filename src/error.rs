@@ -74,7 +74,7 @@
 
 use core::fmt;
 
-use crate::ratio::Ratio;
+use crate::ratio::{Ratio, RatioError};
 
 /// Why a value was refused. Nothing is changed by the call that returns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,10 +165,8 @@ impl fmt::Display for Error {
                 write!(f, "a world for {capacity} bodies has no room for another")
             }
             Error::Stale { serial } => write!(f, "body {serial} is not in the world"),
-            Error::NotFinite { field } => write!(f, "{field} is NaN, infinite or too large"),
-            Error::NotANumber { field } => {
-                write!(f, "{field} is not a number, or has too many digits")
-            }
+            Error::NotFinite { field } => RatioError::NotFinite { field }.fmt(f),
+            Error::NotANumber { field } => RatioError::NotANumber { field }.fmt(f),
             Error::Degenerate { shape } => write!(f, "the {shape} has no area"),
             Error::NotConvex { vertex } => {
                 write!(f, "the outline is not convex at vertex {vertex}")
@@ -178,6 +176,15 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+impl From<RatioError> for Error {
+    fn from(error: RatioError) -> Error {
+        match error {
+            RatioError::NotFinite { field } => Error::NotFinite { field },
+            RatioError::NotANumber { field } => Error::NotANumber { field },
+        }
+    }
+}
 
 /// There was no room, or all `2^32` ids were given; the body that was to be added is inside. For
 /// code that cannot place it elsewhere `?` makes an [`Error`] of it.

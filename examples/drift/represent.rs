@@ -27,7 +27,7 @@ use crate::scene::{Law, Start};
 
 /// A real number as constructors take it.
 pub fn real(value: f64) -> Result<Ratio, Error> {
-    Ratio::from_f64(value)
+    Ok(Ratio::from_f64(value)?)
 }
 
 /// A vector of real numbers in a scalar.

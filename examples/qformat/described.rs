@@ -47,7 +47,7 @@ pub type Forces<S> = (
 );
 
 fn real(value: f64) -> Result<Ratio, Error> {
-    Ratio::from_f64(value)
+    Ok(Ratio::from_f64(value)?)
 }
 
 fn vector<S: Scalar>(v: Vec2<f64>) -> Result<Vec2<S>, Error> {

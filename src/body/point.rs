@@ -1,7 +1,6 @@
 //! The body of rung one: a point with mass.
 
-use crate::body::NoSpin;
-use crate::body::{Body, Reverse, finite};
+use crate::body::{Body, NoSpin, Reverse, finite};
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Exact, Factor, Scalar};

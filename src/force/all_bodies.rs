@@ -6,8 +6,7 @@
 use crate::body::Body;
 use crate::force::{Force, Frame};
 use crate::scalar::Scalar;
-use crate::time::TimeStep;
-use crate::time::{Now, Time};
+use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
 /// A force, in newtons, that `F` computes for each body from the time, all bodies and the place

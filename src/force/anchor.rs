@@ -8,8 +8,7 @@ use crate::error::Error;
 use crate::force::{Force, Frame, PerStep, Reversible, coefficient, is_none};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws one body to a point and damps its motion. Does nothing once the body is gone.

@@ -10,8 +10,7 @@ use crate::error::Error;
 use crate::force::{Force, PerStep, Reversible};
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// The same acceleration for every body.

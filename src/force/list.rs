@@ -3,8 +3,7 @@
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part, PositionOnly};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 impl<B: Body, F: Force<B>> Force<B> for [F] {
     const COUPLES: bool = F::COUPLES;

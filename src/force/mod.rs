@@ -39,6 +39,7 @@ mod all_bodies;
 mod anchor;
 mod drag;
 mod exact;
+mod frame;
 mod gravity;
 mod list;
 mod pairs;
@@ -51,17 +52,16 @@ mod reversible;
 mod spring;
 mod window;
 
-use crate::body::Body;
-use crate::body::id::{self, BodyId};
+use crate::body::{Body, BodyId};
 use crate::scalar::Factor;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 pub use all_bodies::AllBodies;
 pub use anchor::Anchor;
 pub use drag::LinearDrag;
 pub use exact::{Ballistic, ExactDrag, ExactPair, ExactQuadraticDrag, ExactSpring};
+pub use frame::Frame;
 pub use gravity::{Gravity, GravityY};
 pub use pairs::{AllPairs, PairForce, Pairs};
 pub use per_body::{Effort, PerBody};
@@ -74,89 +74,6 @@ pub use spring::Spring;
 pub use window::Window;
 
 use per_step::is_none;
-
-/// Bodies to read and the same bodies to push, in the order of their ids.
-///
-/// The two are one array where a method lets a force see what the forces before it did, and two
-/// where all forces act from one instant.
-#[derive(Debug)]
-pub struct Frame<'a, B> {
-    ids: &'a [BodyId],
-    seen: Option<&'a [B]>,
-    live: &'a mut [B],
-}
-
-impl<'a, B: Body> Frame<'a, B> {
-    /// Forces read and push the same bodies.
-    #[must_use]
-    pub fn new(ids: &'a [BodyId], bodies: &'a mut [B]) -> Self {
-        Frame {
-            ids,
-            seen: None,
-            live: bodies,
-        }
-    }
-
-    /// Forces read `seen` and push `live`: two copies of the same bodies.
-    #[must_use]
-    pub fn split(ids: &'a [BodyId], seen: &'a [B], live: &'a mut [B]) -> Self {
-        Frame {
-            ids,
-            seen: Some(seen),
-            live,
-        }
-    }
-
-    /// The bodies as forces are to see them.
-    #[inline]
-    #[must_use]
-    pub fn bodies(&self) -> &[B] {
-        self.seen.unwrap_or(self.live)
-    }
-
-    /// The body of that name as forces are to see it, and where it stands.
-    #[inline]
-    #[must_use]
-    pub fn find(&self, id: BodyId) -> Option<(usize, B)> {
-        let index = id::position(self.ids, id)?;
-        Some((index, *self.bodies().get(index)?))
-    }
-
-    /// Where the body of that name stands. Not inlined where size counts.
-    pub(crate) fn index_of(&self, id: BodyId) -> Option<usize> {
-        id::position(self.ids, id)
-    }
-
-    /// The two bodies at those places, to read and to push; `None` if they are one, or not there.
-    #[inline]
-    pub(crate) fn pair(&mut self, i: usize, j: usize) -> Option<([B; 2], [&mut B; 2])> {
-        let apart = self.seen;
-        let live = self.live_pair(i, j)?;
-        let seen = match apart {
-            None => [*live[0], *live[1]],
-            Some(seen) => [*seen.get(i)?, *seen.get(j)?],
-        };
-        Some((seen, live))
-    }
-
-    /// The bodies to push, in the same order.
-    #[inline]
-    pub fn live(&mut self) -> &mut [B] {
-        self.live
-    }
-
-    /// The body to push at that place.
-    #[inline]
-    pub fn live_at(&mut self, index: usize) -> Option<&mut B> {
-        self.live.get_mut(index)
-    }
-
-    /// The two bodies to push at those places; `None` if they are one, or not there.
-    #[inline]
-    pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
-        self.live.get_disjoint_mut([i, j]).ok()
-    }
-}
 
 /// A part of a step, for work that a method does at once or in two halves around its kicks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,7 @@
 use crate::body::Body;
 use crate::body::id::{self, BodyId};
 use crate::force::{Force, Frame, Reversible, ReversiblePair};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Something that acts between two bodies.
 pub trait PairForce<B: Body> {

@@ -3,8 +3,7 @@
 use crate::body::Body;
 use crate::force::Force;
 use crate::scalar::Scalar;
-use crate::time::TimeStep;
-use crate::time::{Now, Time};
+use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
 /// A force, in newtons, that `F` computes from the time and the body alone; an [`Effort`], for bodies that turn a

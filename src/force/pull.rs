@@ -20,8 +20,7 @@ use crate::error::Error;
 use crate::force::{PairForce, PerStep, ReversiblePair, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Draws two bodies to each other with `F = G m1 m2 d / (d² + ε²)^(3/2)`: the inverse square where
 /// they are far apart, and nothing sudden where they are not.

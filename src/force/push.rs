@@ -7,8 +7,7 @@ use crate::body::Body;
 use crate::body::id::{self, BodyId};
 use crate::force::{Force, Frame, Reversible};
 use crate::scalar::Scalar;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Pushes one body with the same force in every step. Does nothing once the body is gone.

@@ -9,8 +9,7 @@ use crate::error::Error;
 use crate::force::{Force, PerStep, coefficient};
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// A force against the velocity and in proportion to its square, on every body.
 ///

@@ -14,8 +14,7 @@ use crate::error::Error;
 use crate::force::{PairForce, PerStep, ReversiblePair, coefficient, is_none};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them.

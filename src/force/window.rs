@@ -5,8 +5,7 @@ use core::ops::Range;
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part, Reversible};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Any force, in the steps whose number lies in `ticks` and in no other.
 ///

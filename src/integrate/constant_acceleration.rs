@@ -14,9 +14,7 @@ use super::{Method, copy, each, parabola};
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::time::Between;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.

@@ -14,8 +14,7 @@ use super::{Method, copy, each};
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]

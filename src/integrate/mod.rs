@@ -30,9 +30,7 @@ mod verlet;
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
-use crate::time::Between;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 pub use constant_acceleration::ConstantAcceleration;

@@ -30,9 +30,7 @@ use crate::body::{Body, Reverse};
 use crate::force::{Force, Part, PerStep};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Between;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// The method for orbits, and for anything else without friction that must stay in phase for long.

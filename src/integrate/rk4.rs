@@ -25,15 +25,12 @@
 //! Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), section II.1.
 
 use super::{Method, copy, damp, parabola};
-use crate::body::Body;
-use crate::body::Spin;
 use crate::body::id::BodyId;
+use crate::body::{Body, Spin};
 use crate::force::{Force, Frame, Part, PerStep};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Between;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Runge-Kutta of order 4 for worlds of `N` bodies: where a force depends on velocity or time, and

@@ -15,8 +15,7 @@ use super::{Method, Rewinds, advance, drift, each_whole, kick};
 use crate::body::id::BodyId;
 use crate::body::{Body, Reverse};
 use crate::force::{Force, Frame, Part, Reversible};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Semi-implicit Euler: the cheapest method that is stable for springs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -19,9 +19,7 @@ use super::{Method, Rewinds, advance, damp, each_whole, parabola};
 use crate::body::id::BodyId;
 use crate::body::{Body, Reverse};
 use crate::force::{Force, Frame, Part};
-use crate::time::Between;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Verlet, drift-kick-drift: the default for bodies that touch nothing.

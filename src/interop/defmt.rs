@@ -2,11 +2,8 @@
 
 use defmt::{Format, Formatter, write};
 
-use crate::body::Body;
-use crate::body::Carried;
-use crate::body::Point;
-use crate::body::RangeChecked;
 use crate::body::id::{BodyId, Stale};
+use crate::body::{Body, Carried, Point, RangeChecked};
 use crate::error::{Error, Full};
 use crate::ratio::Ratio;
 use crate::rigid::{Angle, Centre, Rigid};

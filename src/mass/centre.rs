@@ -12,8 +12,7 @@
 //! `n / 2` units off, at the end of the range one more, and never outside of it.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 7 to 10.
 
-use crate::body::Point;
-use crate::body::finite;
+use crate::body::{Point, finite};
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};

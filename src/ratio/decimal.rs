@@ -1,13 +1,12 @@
 //! Decimals as ratios: read by the compiler where they are literals.
 
-use crate::error::Error;
-use crate::ratio::Ratio;
+use super::{Ratio, RatioError};
 
 impl Ratio {
     /// Reads a decimal such as `-9.81`, `1_000` or `.5`: up to 18 digits, no exponent.
     /// The [`dec!`](crate::dec) macro calls it at compile time.
-    pub const fn parse(text: &str) -> Result<Ratio, Error> {
-        let error = Err(Error::NotANumber { field: "decimal" });
+    pub const fn parse(text: &str) -> Result<Ratio, RatioError> {
+        let error = Err(RatioError::NotANumber { field: "decimal" });
         let (bytes, mut i) = (text.as_bytes(), 0);
         let (mut num, mut den, mut digits) = (0_i64, 1_u64, 0);
         let (mut minus, mut point) = (false, false);

@@ -3,8 +3,7 @@
 use super::angle::{Angle, Rotation};
 use super::rotor::Rotor;
 use super::{Centre, Rigid};
-use crate::body::Body;
-use crate::body::RangeChecked;
+use crate::body::{Body, RangeChecked};
 use crate::scalar::{Angular, Scalar};
 use crate::vec2::Vec2;
 

@@ -5,8 +5,7 @@
 
 use super::rotor::Rotor;
 use super::{Centre, Rigid};
-use crate::body::Point;
-use crate::body::{Body, Reverse};
+use crate::body::{Body, Point, Reverse};
 use crate::scalar::{Angular, Exact, Factor, Scalar};
 use crate::time::{Revolve, TimeStep};
 use crate::vec2::Vec2;

@@ -7,7 +7,8 @@
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
-use super::factor::{Coef, Gain, InvMass, Span};
+use super::Gain;
+use super::factor::{Coef, InvMass, Span};
 use super::integer::Raw;
 use super::{Exact, Factor, Scalar};
 use crate::ratio::Ratio;

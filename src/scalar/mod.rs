@@ -22,6 +22,7 @@ mod decay;
 mod factor;
 mod fixed;
 mod float;
+mod gain;
 mod integer;
 mod rational;
 mod stored;
@@ -35,7 +36,8 @@ pub(crate) use integer::{Word, divide_words};
 pub use angular::{Angular, CarryAngular, Turns};
 pub use carry::Carry;
 pub use decay::Decay;
-pub use factor::{Coef, Gain, InvMass, Span};
+pub use factor::{Coef, InvMass, Span};
+pub use gain::Gain;
 pub use rational::Rational;
 pub use stored::Stored;
 

@@ -2,14 +2,20 @@
 
 mod accumulator;
 mod between;
+mod dyadic;
+mod revolve;
 mod step;
+mod timestep;
 
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 
 pub use accumulator::{Accumulator, Due};
 pub use between::Between;
-pub use step::{DyadicStep, Revolve, Step, TimeStep};
+pub use dyadic::DyadicStep;
+pub use revolve::Revolve;
+pub use step::Step;
+pub use timestep::TimeStep;
 
 /// An instant: a whole or half number of steps since the start, all of one length. A world that
 /// changes its step changes its clock with it.

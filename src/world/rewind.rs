@@ -18,9 +18,8 @@
 
 use core::fmt;
 
-use crate::body::RangeChecked;
 use crate::body::id::BodyId;
-use crate::body::{Body, Reverse};
+use crate::body::{Body, RangeChecked, Reverse};
 use crate::force::Reversible;
 use crate::integrate::Rewinds;
 use crate::time::TimeStep;

@@ -4,10 +4,11 @@ use std::error::Error as _;
 
 use super::*;
 use fixstep::Stale;
+use fixstep::ratio::RatioError;
 
 #[test]
 fn ratios() {
-    let refused = Err(Error::NotANumber { field: "ratio" });
+    let refused = Err(RatioError::NotANumber { field: "ratio" });
     let beyond = (1 << 62) + 1;
     for (num, den) in [
         (1, 0),
@@ -23,7 +24,7 @@ fn ratios() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2.0_f64.powi(62)] {
         assert_eq!(
             Ratio::from_f64(value),
-            Err(Error::NotFinite { field: "value" })
+            Err(RatioError::NotFinite { field: "value" })
         );
     }
     assert_eq!(Ratio::from_f64(-0.375).unwrap().to_f64(), -0.375);
@@ -37,7 +38,7 @@ fn decimals() {
     ] {
         assert_eq!(
             Ratio::parse(bad),
-            Err(Error::NotANumber { field: "decimal" }),
+            Err(RatioError::NotANumber { field: "decimal" }),
             "{bad:?}"
         );
     }

@@ -24,11 +24,11 @@ const READ_OUTS: [&str; 12] = [
 
 /// Where `f64` is the scalar itself.
 const INSTANCES: [(&str, &str); 9] = [
-    ("scalar/angular_float.rs", "count!(count_f64, f64, "),
-    ("scalar/angular_float.rs", "count!(count_fine_f64, f64, "),
-    ("scalar/angular_float.rs", "float_angular!(f64, "),
-    ("scalar/angular_float.rs", "float_carry_angular!(f64, "),
-    ("scalar/carry_float.rs", "float_carry!(f64, "),
+    ("scalar/angular/float.rs", "count!(count_f64, f64, "),
+    ("scalar/angular/float.rs", "count!(count_fine_f64, f64, "),
+    ("scalar/angular/float.rs", "float_angular!(f64, "),
+    ("scalar/angular/float.rs", "float_carry_angular!(f64, "),
+    ("scalar/carry/float.rs", "float_carry!(f64, "),
     ("scalar/decay.rs", "float_decay!(f64, "),
     ("scalar/float.rs", "float_scalar!(f64, "),
     ("scalar/rational.rs", "float_rational!(f64, "),
@@ -50,8 +50,8 @@ fn mentions(source: &Source) -> Vec<usize> {
         whole && code[at + 1..].starts_with(|c: char| c.is_ascii_digit())
     });
     match source.name.as_str() {
-        "scalar/angular_float.rs"
-        | "scalar/carry_float.rs"
+        "scalar/angular/float.rs"
+        | "scalar/carry/float.rs"
         | "scalar/decay.rs"
         | "scalar/float.rs" => named.collect(),
         _ => named.chain(literals).collect(),

@@ -81,7 +81,7 @@ impl<S: Decay> Engine for Ours<S> {
 }
 
 fn real(value: f64) -> Result<Ratio, Error> {
-    Ratio::from_f64(value)
+    Ok(Ratio::from_f64(value)?)
 }
 
 fn vector<S: Decay>([x, y]: [f64; 2]) -> Result<Vec2<S>, Error> {

@@ -15,8 +15,7 @@ use crate::error::Error;
 use crate::force::{Force, Frame, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// The same acceleration for every body, against linear drag; exact in position and velocity at any

@@ -18,8 +18,7 @@ use crate::error::Error;
 use crate::force::{Force, Frame, Part, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Factor, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws two bodies to `rest` from each other by frequency and damping, exact in position and

@@ -9,8 +9,7 @@ use crate::error::Error;
 use crate::force::{Force, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Drag in proportion to the square of the velocity, on every body, exact at any step.
 ///

@@ -14,8 +14,7 @@ use crate::error::Error;
 use crate::force::{Force, Frame, Part};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Ties one body to a point by frequency and damping, exact for `h ω` of 0.1 or 6. Does nothing once

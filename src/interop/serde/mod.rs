@@ -12,11 +12,8 @@ mod rigid;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use crate::body::Body;
-use crate::body::Carried;
-use crate::body::Point;
-use crate::body::RangeChecked;
 use crate::body::id::BodyId;
+use crate::body::{Body, Carried, Point, RangeChecked};
 use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
 use crate::world::World;

@@ -11,8 +11,7 @@
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use crate::body::Carried;
-use crate::body::Point;
+use crate::body::{Carried, Point};
 use crate::rigid::{Angle, CarriedRotor, PlainRotor, Rigid, Rotor};
 use crate::scalar::{Angular, CarryAngular, Stored, Turns};
 

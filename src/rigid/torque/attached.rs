@@ -12,8 +12,7 @@
 use crate::force::{PairForce, ReversiblePair, Spring};
 use crate::rigid::Rotating;
 use crate::scalar::Scalar;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// A [`Spring`] between a point of one body and a point of another.

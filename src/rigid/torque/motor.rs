@@ -7,8 +7,7 @@ use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Reversible};
 use crate::rigid::Rotating;
 use crate::scalar::Scalar;
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// Turns one body with the same torque in every step. Does nothing once the body is gone.
 ///

@@ -7,8 +7,7 @@ use crate::force::{Force, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::rigid::Rotating;
 use crate::scalar::{Angular, Decay, Scalar};
-use crate::time::Now;
-use crate::time::TimeStep;
+use crate::time::{Now, TimeStep};
 
 /// A torque against the spin and in proportion to it, on every body that turns: a bearing, or air.
 ///

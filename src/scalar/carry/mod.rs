@@ -2,6 +2,7 @@
 //!
 //! `carry_fixed.rs` and `carry_float.rs` say what a number type keeps.
 
+mod drift;
 pub(super) mod fine;
 mod fixed;
 mod float;
@@ -95,7 +96,7 @@ pub trait Carry: Scalar {
     #[must_use]
     fn reversed(kept: (Self, Self::Remainder)) -> (Self, Self::Remainder);
 
-    /// The same after losing `loss` of both, for a loss from 0 to 1: towards remainder and never past it.
+    /// The same after losing `loss` of both, for a loss from 0 to 1: towards rest and never past it.
     /// In fixed point at least one unit of the remainder goes, so that a body comes to remainder.
     #[must_use]
     fn damped(kept: (Self, Self::Remainder), loss: Self::Coef) -> (Self, Self::Remainder);

@@ -2,13 +2,11 @@
 //!
 //! ```text
 //! Point     x y            u v         1/m
-//! Carried   x x y y        u v         1/m    r r      two halves of each fine, remainders of u and v
+//! Carried   x x y y        u v         1/m    r r      two halves of each position, remainders of u and v
 //! ```
 
 use super::Saved;
-use crate::body::Body;
-use crate::body::Carried;
-use crate::body::Point;
+use crate::body::{Body, Carried, Point};
 use crate::scalar::{Carry, Scalar, Stored};
 use crate::vec2::Vec2;
 

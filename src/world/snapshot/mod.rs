@@ -23,15 +23,19 @@
 //! undone, so no two inputs that differ in one byte have the same.
 
 mod bodies;
+mod bytes;
+mod error;
 mod range_checked;
-
-use core::fmt;
 
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::scalar::Stored;
 use crate::world::World;
+
+pub use error::SnapshotError;
+
 use crate::world::fnv::Fnv32;
+use bytes::{Reader, Writer};
 
 /// The format that is written, and the only one that is read.
 pub const VERSION: u16 = 1;
@@ -66,66 +70,6 @@ pub trait Saved: Body<S: Stored> {
     #[must_use]
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self>;
 }
-
-/// Why bytes were not written or not read. Nothing is changed by the call that returns it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum SnapshotError {
-    /// There are fewer or more bytes than the snapshot has.
-    Length {
-        /// Bytes that it has, as far as is known.
-        needed: usize,
-        /// Bytes there are.
-        given: usize,
-    },
-    /// The bytes do not begin as a snapshot does.
-    NotASnapshot,
-    /// It is of another version of the format.
-    Version(u16),
-    /// Bytes were changed.
-    Checksum,
-    /// It holds another kind of body, or one whose state takes another number of bytes.
-    Kind(u16),
-    /// It holds another number type.
-    Scalar(u32),
-    /// It holds more bodies than the world can.
-    Full {
-        /// Bodies that it holds.
-        bodies: u32,
-        /// Bodies that the world holds.
-        capacity: usize,
-    },
-    /// No world has this state: ids that do not rise, a mass, an inertia or a remainder that is none.
-    State,
-}
-
-impl fmt::Display for SnapshotError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Length { needed, given } => {
-                write!(f, "a snapshot of {needed} bytes does not fit {given}")
-            }
-            Self::NotASnapshot => f.write_str("these bytes are no snapshot"),
-            Self::Version(version) => {
-                write!(f, "snapshot has version {version}, this reads {VERSION}")
-            }
-            Self::Checksum => f.write_str("snapshot was damaged: its checksum is wrong"),
-            Self::Kind(kind) => write!(f, "snapshot has bodies of another kind: {kind}"),
-            Self::Scalar(format) => {
-                write!(f, "snapshot has another number type: {format:#010x}")
-            }
-            Self::Full { bodies, capacity } => {
-                write!(
-                    f,
-                    "snapshot has {bodies} bodies, the world holds {capacity}"
-                )
-            }
-            Self::State => f.write_str("snapshot has a state that no world can have"),
-        }
-    }
-}
-
-impl core::error::Error for SnapshotError {}
 
 impl<B: Saved, const N: usize> World<B, N> {
     /// Bytes of a snapshot of a full world.
@@ -235,31 +179,4 @@ fn checksum(bytes: &[u8]) -> u32 {
             .for_each(|&byte| sum.write(byte));
     }
     sum.0
-}
-
-/// Little-endian words at the front of bytes that were counted before.
-struct Writer<'a>(&'a mut [u8]);
-
-impl Writer<'_> {
-    fn put(&mut self, word: u64, count: usize) {
-        if let Some((front, rest)) = core::mem::take(&mut self.0).split_at_mut_checked(count) {
-            let bytes = word.to_le_bytes();
-            front
-                .iter_mut()
-                .zip(bytes)
-                .for_each(|(to, byte)| *to = byte);
-            self.0 = rest;
-        }
-    }
-}
-
-struct Reader<'a>(&'a [u8]);
-
-impl Reader<'_> {
-    fn take(&mut self, count: usize) -> u64 {
-        let (front, rest) = self.0.split_at_checked(count).unwrap_or_default();
-        self.0 = rest;
-        let word = front.iter().rev();
-        word.fold(0, |word, &byte| word << 8 | byte as u64)
-    }
 }
