@@ -23,9 +23,9 @@ const LADDER: [(&str, &[&str]); 6] = [
 /// Folders whose files are alike, one force or one shape each, and do not import each other; behind
 /// it the files that the others stand on.
 const ALIKE: [(&str, &[&str]); 5] = [
-    ("force", &["frame", "per_step"]),
+    ("force", &["frame", "memo", "per_step"]),
     ("force/exact", &["oscillation", "propagator"]),
-    ("integrate", &["rewinds"]),
+    ("integrate", &["rewinds", "seen"]),
     ("mass", &["centre", "outline", "properties"]),
     ("rigid/torque", &[]),
 ];

@@ -42,6 +42,7 @@ mod exact;
 mod frame;
 mod gravity;
 mod list;
+mod memo;
 mod pairs;
 mod per_body;
 mod per_step;
@@ -73,6 +74,7 @@ pub use reversible::{PositionOnly, Reversible, ReversiblePair};
 pub use spring::Spring;
 pub use window::Window;
 
+pub(crate) use memo::Memo;
 use per_step::is_none;
 
 /// A part of a step, for work that a method does at once or in two halves around its kicks.

@@ -1,5 +1,6 @@
 //! What forces keep: coefficients, and their products with `h`.
 
+use super::memo::Memo;
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
@@ -38,7 +39,7 @@ pub(super) fn is_none<S: Scalar>(coefficient: S::Coef) -> bool {
 ///
 /// For forces of your own: keep one, and ask it in `prepare` or `couple`.
 #[derive(Clone, Copy, Debug)]
-pub struct PerStep<S: Scalar, T>(Option<(S::Coef, T)>);
+pub struct PerStep<S: Scalar, T>(Memo<S::Coef, T>);
 
 impl<S: Scalar, T: Copy> Default for PerStep<S, T> {
     fn default() -> Self {
@@ -50,22 +51,13 @@ impl<S: Scalar, T: Copy> PerStep<S, T> {
     /// Nothing made yet.
     #[must_use]
     pub const fn new() -> Self {
-        PerStep(None)
+        PerStep(Memo::new())
     }
 
     /// What `make` makes of `h`, remembered for as long as `h` is the same.
     #[inline]
     pub fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
         let h = step.coef();
-        match self.0 {
-            Some((made_for, value)) if made_for == h => value,
-            _ => *self.renew(h, make),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, h: S::Coef, make: impl FnOnce(S::Coef) -> T) -> &T {
-        &self.0.insert((h, make(h))).1
+        self.0.get(h, || make(h))
     }
 }

@@ -10,7 +10,8 @@
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 
-use super::{Method, copy, each, parabola};
+use super::seen::{Seen, holds_a_copy};
+use super::{Method, each, parabola};
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
@@ -20,24 +21,10 @@ use crate::vec2::Vec2;
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]
 pub struct ConstantAcceleration<B, const N: usize> {
-    seen: heapless::Vec<B, N>,
+    seen: Seen<B, N>,
 }
 
-impl<B, const N: usize> ConstantAcceleration<B, N> {
-    /// With room for the copy.
-    #[must_use]
-    pub const fn new() -> Self {
-        ConstantAcceleration {
-            seen: heapless::Vec::new(),
-        }
-    }
-}
-
-impl<B, const N: usize> Default for ConstantAcceleration<B, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+holds_a_copy!(ConstantAcceleration);
 
 impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
     #[inline]
@@ -53,7 +40,7 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
-            copy(bodies, &mut self.seen);
+            self.seen.copy(bodies);
         }
         each(bodies, |body| {
             let seen = *body;
@@ -66,7 +53,7 @@ impl<B: Body, const N: usize> Method<B, N> for ConstantAcceleration<B, N> {
             }
         });
         if F::COUPLES {
-            forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+            forces.couple(&now, &mut Frame::split(ids, self.seen.bodies(), bodies));
             each(bodies, |body| {
                 forces.damp(&now, Part::SecondHalf, body);
                 body.drift_half(&now.step);

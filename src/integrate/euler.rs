@@ -10,7 +10,8 @@
 //! Free fall comes out `g T h / 2` short along g. For teaching, and as the worst line of a chart.
 //! Source: Hecker, "Physics, The Next Frontier" (1996).
 
-use super::{Method, copy, each};
+use super::seen::{Seen, holds_a_copy};
+use super::{Method, each};
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Part};
@@ -19,24 +20,10 @@ use crate::time::{Now, TimeStep};
 /// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
 #[derive(Clone, Debug)]
 pub struct Euler<B, const N: usize> {
-    seen: heapless::Vec<B, N>,
+    seen: Seen<B, N>,
 }
 
-impl<B, const N: usize> Euler<B, N> {
-    /// With room for the copy.
-    #[must_use]
-    pub const fn new() -> Self {
-        Euler {
-            seen: heapless::Vec::new(),
-        }
-    }
-}
-
-impl<B, const N: usize> Default for Euler<B, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+holds_a_copy!(Euler);
 
 impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
     #[inline]
@@ -52,7 +39,7 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
         let now = Now::start(step, tick);
         forces.prepare(&now);
         if F::COUPLES {
-            copy(bodies, &mut self.seen);
+            self.seen.copy(bodies);
         }
         each(bodies, |body| {
             let seen = *body;
@@ -63,7 +50,7 @@ impl<B: Body, const N: usize> Method<B, N> for Euler<B, N> {
             }
         });
         if F::COUPLES {
-            forces.couple(&now, &mut Frame::split(ids, &self.seen, bodies));
+            forces.couple(&now, &mut Frame::split(ids, self.seen.bodies(), bodies));
             each(bodies, |body| forces.damp(&now, Part::Whole, body));
         }
     }

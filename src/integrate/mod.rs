@@ -24,6 +24,7 @@ mod euler;
 mod pefrl;
 mod rewinds;
 mod rk4;
+mod seen;
 mod semi_implicit;
 mod verlet;
 

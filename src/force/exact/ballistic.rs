@@ -12,7 +12,7 @@
 use crate::body::Body;
 use crate::body::id::BodyId;
 use crate::error::Error;
-use crate::force::{Force, Frame, Part, PerStep, coefficient, half};
+use crate::force::{Force, Frame, Memo, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Scalar};
 use crate::time::{Now, TimeStep};
@@ -42,14 +42,12 @@ pub struct Ballistic<S: Scalar> {
     acceleration: Vec2<S>,
     drag: S::Coef,
     per_step: PerStep<S, [S::Coef; 2]>,
-    known: Option<Flight<S>>,
+    flight: Memo<(S::InvMass, bool), Flight<S>>,
 }
 
-/// What a body of one mass does in one part of a step.
+/// What a body of one mass does in a step or in half of it.
 #[derive(Clone, Copy, Debug)]
 struct Flight<S: Scalar> {
-    inv_mass: S::InvMass,
-    whole: bool,
     loss: S::Coef,
     time: S::Coef,
     kick: [S::Gain; 2],
@@ -65,28 +63,24 @@ impl<S: Decay> Ballistic<S> {
             acceleration,
             drag: coefficient::<S>("drag", drag.into())?,
             per_step: PerStep::new(),
-            known: None,
+            flight: Memo::new(),
         })
     }
+}
 
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, [h, rate]: [S::Coef; 2], inv_mass: S::InvMass, whole: bool) -> Flight<S> {
+impl<S: Decay> Flight<S> {
+    fn new(g: Vec2<S>, [h, rate]: [S::Coef; 2], inv_mass: S::InvMass, whole: bool) -> Flight<S> {
         let part = |c| if whole { c } else { half::<S>(c) };
         let h = part(h);
         let [loss, mean, mean_loss] = S::decay(S::product(part(rate), inv_mass.into()));
         let time = S::product(mean, h);
         let square = S::product(S::product(mean_loss, h), h);
-        let flight = Flight {
-            inv_mass,
-            whole,
+        Flight {
             loss,
             time,
-            kick: self.acceleration.array().map(|g| g.gain(time)),
-            fall: self.acceleration.array().map(|g| g.gain(square)),
-        };
-        self.known = Some(flight);
-        flight
+            kick: g.array().map(|g| g.gain(time)),
+            fall: g.array().map(|g| g.gain(square)),
+        }
     }
 }
 
@@ -108,7 +102,7 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
             [h, B::S::product(self.drag, h)]
         });
         if renewed {
-            self.known = None;
+            self.flight.forget();
         }
         let whole = part == Part::Whole;
         // Halves are counted on their own, so that shares of both come out in turn.
@@ -126,12 +120,10 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
             .zip(moved)
             .filter(|(body, moved)| !(**moved || body.has_infinite_mass()));
         for (body, moved) in free {
-            let flight = match self.known {
-                Some(flight) if flight.inv_mass == body.inv_mass() && flight.whole == whole => {
-                    flight
-                }
-                _ => self.renew(rates, body.inv_mass(), whole),
-            };
+            let inv_mass = body.inv_mass();
+            let flight = self.flight.get((inv_mass, whole), || {
+                Flight::new(self.acceleration, rates, inv_mass, whole)
+            });
             body.drift_by(flight.time);
             match part {
                 Part::Whole => body.drift_angle(&now.step),

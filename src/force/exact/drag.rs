@@ -10,7 +10,7 @@
 
 use crate::body::Body;
 use crate::error::Error;
-use crate::force::{Force, Part, PerStep, coefficient, half};
+use crate::force::{Force, Memo, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Scalar};
 use crate::time::{Now, TimeStep};
@@ -37,11 +37,9 @@ pub struct ExactDrag<S: Scalar> {
     drag: S::Coef,
     per_step: PerStep<S, S::Coef>,
     rate: S::Coef,
-    known: Option<Known<S>>,
+    /// What is lost in a step or in half of it, by inverse mass.
+    loss: Memo<(S::InvMass, bool), S::Coef>,
 }
-
-/// A mass, the part of a step, and what it loses in it.
-type Known<S> = (<S as Scalar>::InvMass, bool, <S as Scalar>::Coef);
 
 impl<S: Decay> ExactDrag<S> {
     /// `drag` in kg/s, not negative. Refuses a value that the scalar's coefficients cannot hold.
@@ -52,18 +50,8 @@ impl<S: Decay> ExactDrag<S> {
             drag,
             per_step: PerStep::new(),
             rate: drag,
-            known: None,
+            loss: Memo::new(),
         })
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, inv_mass: S::InvMass, whole: bool) -> S::Coef {
-        let over = S::product(self.rate, inv_mass.into());
-        let over = if whole { over } else { half::<S>(over) };
-        let [loss, ..] = S::decay(over);
-        self.known = Some((inv_mass, whole, loss));
-        loss
     }
 }
 
@@ -75,17 +63,19 @@ impl<B: Body<S: Decay>> Force<B> for ExactDrag<B::S> {
         let product = |h| B::S::product(self.drag, h);
         let rate = self.per_step.get(&now.step, product);
         if rate != self.rate {
-            (self.rate, self.known) = (rate, None);
+            self.rate = rate;
+            self.loss.forget();
         }
     }
 
     #[inline]
     fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
         let (inv_mass, whole) = (live.inv_mass(), part == Part::Whole);
-        let loss = match self.known {
-            Some((of, in_whole, loss)) if of == inv_mass && in_whole == whole => loss,
-            _ => self.renew(inv_mass, whole),
-        };
+        let loss = self.loss.get((inv_mass, whole), || {
+            let over = B::S::product(self.rate, inv_mass.into());
+            let [loss, ..] = B::S::decay(if whole { over } else { half::<B::S>(over) });
+            loss
+        });
         live.damp(loss);
     }
 }

@@ -11,11 +11,11 @@
 //! does. One impulse, used twice: the two sum to zero to the bit. The spring rests at a vector, not
 //! at a length, which keeps the motion linear: a rod that turns is no such pair.
 
-use super::propagator::{Propagator, Swing};
+use super::propagator::{Propagator, Swing, length};
 use crate::body::Body;
 use crate::body::id::{self, BodyId};
 use crate::error::Error;
-use crate::force::{Force, Frame, Part, half};
+use crate::force::{Force, Frame, Memo, Part, half};
 use crate::ratio::Ratio;
 use crate::scalar::{Decay, Factor, Scalar};
 use crate::time::{Now, TimeStep};
@@ -44,7 +44,7 @@ pub struct ExactPair<S: Scalar> {
     bodies: [BodyId; 2],
     rest: Vec2<S>,
     swing: Swing,
-    known: Option<(S::Coef, bool, [S::Coef; 4])>,
+    entries: Memo<(S::Coef, bool), [S::Coef; 4]>,
 }
 
 impl<S: Decay> ExactPair<S> {
@@ -61,30 +61,15 @@ impl<S: Decay> ExactPair<S> {
             bodies,
             rest,
             swing: Swing::new(hertz.into(), damping_ratio.into())?,
-            known: None,
+            entries: Memo::new(),
         })
     }
 
     #[inline]
     fn entries(&mut self, step: &impl TimeStep<S>, whole: bool) -> [S::Coef; 4] {
-        match self.known {
-            Some((of, in_whole, entries)) if of == step.coef() && in_whole == whole => entries,
-            _ => self.renew(step, whole),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, step: &impl TimeStep<S>, whole: bool) -> [S::Coef; 4] {
-        let seconds = step.seconds();
-        let part = if whole {
-            Some(seconds)
-        } else {
-            seconds.halved()
-        };
-        let entries = Propagator::<S>::entries(self.swing, part.unwrap_or(seconds));
-        self.known = Some((step.coef(), whole, entries));
-        entries
+        self.entries.get((step.coef(), whole), || {
+            Propagator::<S>::entries(self.swing, length(step.seconds(), whole))
+        })
     }
 }
 

@@ -69,6 +69,14 @@ impl Swing {
     }
 }
 
+/// A step of `seconds`, or half of it.
+pub(crate) fn length(seconds: Ratio, whole: bool) -> Ratio {
+    match whole {
+        true => seconds,
+        false => seconds.halved().unwrap_or(seconds),
+    }
+}
+
 impl<S: Scalar> Propagator<S> {
     /// A step of `seconds`. What no coefficient holds is left at rest.
     pub(crate) fn new(swing: Swing, seconds: Ratio) -> Self {

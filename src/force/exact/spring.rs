@@ -7,11 +7,11 @@
 //! that [`Gravity`](crate::Gravity) gave its body and swings about the point where it hangs.
 
 use super::oscillation;
-use super::propagator::{Propagator, Swing};
+use super::propagator::{Propagator, Swing, length};
 use crate::body::Body;
 use crate::body::id::{self, BodyId};
 use crate::error::Error;
-use crate::force::{Force, Frame, Part};
+use crate::force::{Force, Frame, Memo, Part};
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::time::{Now, TimeStep};
@@ -41,7 +41,7 @@ pub struct ExactSpring<S: Scalar> {
     point: Vec2<S>,
     swing: Swing,
     load: Option<Load<S>>,
-    known: Option<Known<S>>,
+    motion: Memo<(S::Coef, bool), Motion<S>>,
 }
 
 /// A constant acceleration, and how far the spring sags under it.
@@ -51,11 +51,9 @@ struct Load<S> {
     sag: Vec2<S>,
 }
 
-/// What was made for a step and a part of it.
+/// What the spring does in a step or in half of it.
 #[derive(Clone, Copy, Debug)]
-struct Known<S: Scalar> {
-    step: S::Coef,
-    whole: bool,
+struct Motion<S: Scalar> {
     propagator: Propagator<S>,
     kick: Option<[S::Gain; 2]>,
 }
@@ -75,7 +73,7 @@ impl<S: Scalar> ExactSpring<S> {
             point,
             swing: Swing::new(hertz.into(), damping_ratio.into())?,
             load: None,
-            known: None,
+            motion: Memo::new(),
         })
     }
 
@@ -101,10 +99,9 @@ impl<S: Scalar> ExactSpring<S> {
             return Err(error);
         }
         let load = Some(Load { acceleration, sag });
-        let known = None; // what was made for another load, or none
         Ok(ExactSpring {
             load,
-            known,
+            motion: Memo::new(), // what it has was made for another load, or none
             ..self
         })
     }
@@ -116,31 +113,14 @@ impl<S: Scalar> ExactSpring<S> {
     }
 
     #[inline]
-    fn known(&mut self, step: &impl TimeStep<S>, whole: bool) -> Known<S> {
-        match self.known {
-            Some(known) if known.step == step.coef() && known.whole == whole => known,
-            _ => self.renew(step, whole),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, step: &impl TimeStep<S>, whole: bool) -> Known<S> {
-        let seconds = step.seconds();
-        let part = if whole {
-            Some(seconds)
-        } else {
-            seconds.halved()
-        };
-        let gains = |load: Load<S>| load.acceleration.array().map(|g| g.gain(step.coef()));
-        let known = Known {
-            step: step.coef(),
-            whole,
-            propagator: Propagator::new(self.swing, part.unwrap_or(seconds)),
-            kick: self.load.map(gains),
-        };
-        self.known = Some(known);
-        known
+    fn motion(&mut self, step: &impl TimeStep<S>, whole: bool) -> Motion<S> {
+        self.motion.get((step.coef(), whole), || {
+            let gains = |load: Load<S>| load.acceleration.array().map(|g| g.gain(step.coef()));
+            Motion {
+                propagator: Propagator::new(self.swing, length(step.seconds(), whole)),
+                kick: self.load.map(gains),
+            }
+        })
     }
 }
 
@@ -162,12 +142,12 @@ impl<B: Body> Force<B> for ExactSpring<B::S> {
         match (moved.get_mut(index), frame.live_at(index)) {
             (Some(moved), Some(live)) if !(*moved || live.has_infinite_mass()) => {
                 *moved = true;
-                let known = self.known(&now.step, part == Part::Whole);
-                if let (Some([x, y]), true) = (known.kick, part != Part::FirstHalf) {
+                let motion = self.motion(&now.step, part == Part::Whole);
+                if let (Some([x, y]), true) = (motion.kick, part != Part::FirstHalf) {
                     let gained = |gain| B::S::gained(gain, now.tick());
                     live.kick(-Vec2::new(gained(x), gained(y)));
                 }
-                known.propagator.apply(self.rest_position(), live);
+                motion.propagator.apply(self.rest_position(), live);
                 match part {
                     Part::Whole => live.drift_angle(&now.step),
                     _ => live.drift_angle_half(&now.step),

@@ -3,7 +3,7 @@
 //! No limit on `c h / I`. With the units of the crate `c / I = 2π c · 1 / 2πI`.
 
 use crate::error::Error;
-use crate::force::{Force, Part, PerStep, coefficient, half};
+use crate::force::{Force, Memo, Part, PerStep, coefficient, half};
 use crate::ratio::Ratio;
 use crate::rigid::Rotating;
 use crate::scalar::{Angular, Decay, Scalar};
@@ -35,11 +35,9 @@ pub struct SpinDrag<S: Scalar> {
     drag: S::Coef,
     per_step: PerStep<S, S::Coef>,
     rate: S::Coef,
-    known: Option<Known<S>>,
+    /// What is lost in a step or in half of it, by inverse inertia.
+    loss: Memo<(S::Coef, bool), S::Coef>,
 }
-
-/// An inverse inertia, the part of a step, and what is lost in it.
-type Known<S> = (<S as Scalar>::Coef, bool, <S as Scalar>::Coef);
 
 impl<S: Decay + Angular> SpinDrag<S> {
     /// `drag` in N m s per radian, not negative. Refuses a value that the scalar's coefficients cannot
@@ -51,18 +49,8 @@ impl<S: Decay + Angular> SpinDrag<S> {
             drag,
             per_step: PerStep::new(),
             rate: drag,
-            known: None,
+            loss: Memo::new(),
         })
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn renew(&mut self, inv_inertia: S::Coef, whole: bool) -> S::Coef {
-        let over = S::product(self.rate, inv_inertia);
-        let over = if whole { over } else { half::<S>(over) };
-        let [loss, ..] = S::decay(over);
-        self.known = Some((inv_inertia, whole, loss));
-        loss
     }
 }
 
@@ -74,17 +62,19 @@ impl<B: Rotating<S: Decay + Angular>> Force<B> for SpinDrag<B::S> {
         let product = |h| B::S::product(B::S::product(self.drag, h), B::S::TAU);
         let rate = self.per_step.get(&now.step, product);
         if rate != self.rate {
-            (self.rate, self.known) = (rate, None);
+            self.rate = rate;
+            self.loss.forget();
         }
     }
 
     #[inline]
     fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
         let (inv_inertia, whole) = (live.inv_inertia(), part == Part::Whole);
-        let loss = match self.known {
-            Some((of, in_whole, loss)) if of == inv_inertia && in_whole == whole => loss,
-            _ => self.renew(inv_inertia, whole),
-        };
+        let loss = self.loss.get((inv_inertia, whole), || {
+            let over = B::S::product(self.rate, inv_inertia);
+            let [loss, ..] = B::S::decay(if whole { over } else { half::<B::S>(over) });
+            loss
+        });
         live.damp_spin(loss);
     }
 }
