@@ -6,15 +6,16 @@
 //! ```
 
 #[cfg(feature = "serde")]
+#[path = "suite/support/mod.rs"]
 mod support;
 
 #[cfg(feature = "serde")]
 #[allow(dead_code)]
-#[path = "snapshot/bytes.rs"]
+#[path = "suite/snapshot/bytes.rs"]
 mod bytes;
 #[cfg(feature = "serde")]
 #[allow(dead_code)]
-#[path = "snapshot/samples.rs"]
+#[path = "suite/snapshot/samples.rs"]
 mod samples;
 
 #[cfg(feature = "serde")]

@@ -1,9 +1,9 @@
 //! The charts' seven scenes, every run of them: no cost is of another scene than its error. The starts are
 //! unlike those of the charts, which have sixteen; what a step costs depends little on them.
 
-#[path = "../../../examples/charts/rotor.rs"]
+#[path = "../../../lab/examples/charts/rotor.rs"]
 mod rotor;
-#[path = "../../../examples/charts/scenes.rs"]
+#[path = "../../../lab/examples/charts/scenes.rs"]
 mod scenes;
 
 use fixstep::fixed::types::{I8F24, I16F16};

@@ -1,0 +1,189 @@
+//! Makes every chart of the project: `cargo run --release --example charts [-- --quick] [--out DIR]
+//! [--check]`.
+//!
+//! | module | idea |
+//! |---|---|
+//! | `cli` | the command line |
+//! | `table` | rows of text, as CSV; what is different in two of them |
+//! | `scenes`, `rotor` | the scenes, with all methods and ways to state forces |
+//! | `starts`, `exact`, `reference` | where bodies start, and where they should be |
+//! | `run`, `subject` | one scene with one kind of body; what it asks of a body |
+//! | `cost` | what a step costs on a core |
+//! | `work`, `figures` | the tables of work and precision, and a row of one |
+//! | `pareto`, `verdict` | what is worth its price, and whether the guide recommends it |
+//! | `panel`, `head`, `lines`, `look`, `frame`, `labels` | the picture |
+//! | `minute`, `minute_table` | errors after a minute, for the README |
+//! | `growth`, `maps`, `wrong`, `axes` | errors over long runs, stability, what goes wrong; their panels |
+//! | `support` | points and medians: from the tests |
+
+mod axes;
+#[path = "../../../examples/picture/canvas.rs"]
+mod canvas;
+mod cli;
+mod cost;
+mod exact;
+mod figures;
+mod frame;
+mod growth;
+mod head;
+mod labels;
+mod lines;
+mod look;
+mod maps;
+mod minute;
+mod minute_table;
+mod panel;
+mod pareto;
+mod reference;
+mod rotor;
+mod run;
+mod scenes;
+mod starts;
+mod subject;
+#[path = "../../../tests/suite/support/mod.rs"]
+mod support;
+mod table;
+mod verdict;
+mod work;
+mod wrong;
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget};
+
+use canvas::Drawn;
+use cli::{HOME, Options};
+use table::{Effort, Table};
+
+/// A chart: its name, how its rows are made, and how it is drawn from them.
+struct Chart {
+    name: &'static str,
+    make: fn(&'static str, Effort, &ProgressBar) -> Result<Table, String>,
+    draw: fn(&Path, &Table) -> Drawn,
+}
+
+/// All of them.
+const CHARTS: [Chart; 11] = [
+    work("work-spring"),
+    work("work-projectile"),
+    work("work-quadratic"),
+    work("work-kepler"),
+    work("work-cluster"),
+    work("work-pair"),
+    work("work-rotor"),
+    Chart {
+        name: "minute",
+        make: minute::make,
+        draw: show,
+    },
+    Chart {
+        name: "growth",
+        make: |_, effort, progress| Ok(growth::make(effort, progress)),
+        draw: growth::draw,
+    },
+    Chart {
+        name: "maps",
+        make: |_, effort, progress| Ok(maps::make(effort, progress)),
+        draw: maps::draw,
+    },
+    Chart {
+        name: "wrong",
+        make: |_, effort, progress| Ok(wrong::make(effort, progress)),
+        draw: wrong::draw,
+    },
+];
+
+const fn work(name: &'static str) -> Chart {
+    Chart {
+        name,
+        make: work::make,
+        draw: |folder, table| {
+            print(&verdict::all(table)?);
+            panel::draw(folder, table)
+        },
+    }
+}
+
+/// The lines of the README's table.
+fn show(_: &Path, table: &Table) -> Drawn {
+    print(&format!(
+        "{}{}\n",
+        minute_table::HEAD,
+        minute_table::lines(&table.rows).join("\n")
+    ));
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    let failed = |code: u8, error: String| {
+        eprintln!("error: {error}");
+        ExitCode::from(code)
+    };
+    match Options::read() {
+        Err(error) => failed(2, error),
+        Ok(options) => match charts(&options) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => failed(1, error),
+        },
+    }
+}
+
+fn charts(options: &Options) -> Result<(), String> {
+    let (progress, begin) = (hidden(), Instant::now());
+    let mut differences = Vec::new();
+    for chart in &CHARTS {
+        if begin.elapsed() > Duration::from_secs(1) {
+            progress.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        let table = (chart.make)(chart.name, options.effort(), &progress)?;
+        match options.check {
+            true => differences.extend(check(&table, options.effort())?),
+            false => progress.suspend(|| write(&options.folder(), chart, &table))?,
+        }
+        let seconds = begin.elapsed().as_secs_f32();
+        progress.suspend(|| {
+            print(&format!(
+                "{}: {} rows, {seconds:.1} s\n",
+                chart.name,
+                table.rows.len()
+            ))
+        });
+    }
+    progress.finish_and_clear();
+    match differences.is_empty() {
+        true => Ok(()),
+        false => Err(format!(
+            "the charts are other ones:\n{}",
+            differences.join("\n")
+        )),
+    }
+}
+
+/// A bar that appears once something takes long.
+fn hidden() -> ProgressBar {
+    ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::hidden())
+}
+
+fn check(table: &Table, effort: Effort) -> Result<Vec<String>, String> {
+    let path = Path::new(HOME).join(format!("{}.csv", table.name));
+    let text =
+        fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+    Ok(table.differences(&table.read(&text)?, effort))
+}
+
+fn write(folder: &Path, chart: &Chart, table: &Table) -> Result<(), String> {
+    let place = folder.display();
+    let unwritable = |error: io::Error| format!("cannot write to {place}: {error}");
+    fs::create_dir_all(folder).map_err(unwritable)?;
+    fs::write(folder.join(format!("{}.csv", table.name)), table.csv()).map_err(unwritable)?;
+    (chart.draw)(folder, table).map_err(|e| format!("cannot draw {} into {place}: {e}", table.name))
+}
+
+/// A reader that has seen enough, such as `head`, is no error.
+fn print(text: &str) {
+    let _ = io::stdout().write_all(text.as_bytes());
+}

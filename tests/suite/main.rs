@@ -1,0 +1,43 @@
+//! The quick suite: one binary, so that the support of all tests is compiled once. `README.md` beside this folder maps law to file.
+
+mod support;
+
+mod accumulator;
+mod angular_momentum;
+mod bad_input;
+mod between;
+mod bounds;
+mod capacity;
+mod carry;
+mod errors;
+mod exact_drag;
+mod exact_spring;
+mod examples;
+mod fall;
+mod firmware;
+mod footprint;
+mod forces;
+mod high_order;
+mod impulse;
+mod invariants;
+mod kepler;
+mod laws;
+mod layers;
+mod long_run;
+mod mass;
+mod momentum;
+mod nbody;
+mod order;
+mod oscillator;
+mod own_scalar;
+mod range;
+mod rewind;
+mod rotor;
+mod rounding;
+mod shape;
+mod snapshot;
+mod spin;
+mod stability;
+mod stages;
+mod symmetry;
+mod time;
