@@ -6,7 +6,7 @@
 //! |---|---|
 //! | How do I use it in a game or a firmware? | [`firmware`] |
 //! | Which force, which spring, which drag? | [`springs_and_drags`] |
-//! | How do bodies turn? | [`rotation`] |
+//! | How do bodies rotate? | [`rotation`] |
 //! | Which number type fits my scene? | [`adviser`] |
 //! | My numbers are not constants. | [`run_time_numbers`] |
 //! | How do I save a world, or go back? | [`saving`] |
@@ -69,14 +69,14 @@
 //! | orbits for long | [`Pefrl`](crate::Pefrl): order 4, keeps the energy, four times the forces |
 //! | a lesson | [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration): springs explode |
 //!
-//! An orbit with e = 0.6, to 1 % after ten periods, needs less than 24,000 calls of the force with `Verlet`, 8,000
-//! with `Rk4` and 4,800 with `Pefrl`. `tests/kepler.rs` holds these limits and prints the counts.
+//! Take an orbit with e = 0.6, to 1 % after ten periods. It needs less than 24,000 calls of the force with `Verlet`,
+//! 8,000 with `Rk4` and 4,800 with `Pefrl`. `tests/kepler.rs` checks these limits and prints the counts.
 //!
 //! # 5. Drag and springs
 //!
 //! | explicit | exact | the difference |
 //! |---|---|---|
-//! | [`LinearDrag`](crate::LinearDrag) | [`ExactDrag`](crate::ExactDrag) | no limit, comes to rest; with `SemiImplicitEuler` it costs about the same for points in fixed point, less on M0+ |
+//! | [`LinearDrag`](crate::LinearDrag) | [`ExactDrag`](crate::ExactDrag) | no limit, bodies stop; with `SemiImplicitEuler` it costs about the same for points in fixed point, less on M0+ |
 //! | [`QuadraticDrag`](crate::QuadraticDrag) | [`ExactQuadraticDrag`](crate::ExactQuadraticDrag) | no limit: explicit drag explodes from `c v h / m = 2` |
 //! | gravity and linear drag | [`Ballistic`](crate::Ballistic) | exact in position too, at any step |
 //! | [`Anchor`](crate::Anchor) | [`ExactSpring`](crate::ExactSpring) | given as hertz and damping ratio, no limit, hangs at the exact position |
