@@ -1,6 +1,6 @@
-"""Writes the figures into the tables of the README and the documentation. Which rows a table has is
-said there; here only the cells are filled. `tests/firmware.rs` holds those of the README, the guide and the
-architecture against results.tsv; `run --pinned` holds all of them."""
+"""Writes the figures into the tables of the README, of docs/costs.md and of the documentation. The pages decide
+which rows a table has; only the cells are filled here. `tests/firmware.rs` checks the README, the costs, the guide
+and the architecture against results.tsv; `run --pinned` checks all of them."""
 import math
 import re
 from pathlib import Path
@@ -31,17 +31,18 @@ def pages(table):
     figures = Figures(table)
     bodies = "| body | bytes | M0+ 1/60 |"
     filled = {
-        "README.md": fill("README.md", [
+        "README.md": fill("README.md", [("| number type | step, s | method | M0+ |", figures.steps)], figures.scene()),
+        "docs/costs.md": fill("docs/costs.md", [
             ("| body | step | method | M0+ |", figures.steps),
             ("| | for each | M0+ I16F16 |", figures.forces),
             ("| body that turns | step | method |", figures.turning),
             ("| of a body that turns | for each |", lambda cells: figures.forces(cells, " rigid")),
             ("| the scene, and | M0+ | M4F |", figures.flash),
             ("| method | order | force calls |", figures.methods),
-        ], figures.sentences()),
+        ], figures.scene() + figures.fast_ram()),
         "src/integrate/mod.rs": fill("src/integrate/mod.rs", [("//! | method | order | force calls |", figures.methods)]),
         "ARCHITECTURE.md": fill("ARCHITECTURE.md", [(bodies, lambda cells: figures.bodies(cells, rounded))]),
-        "src/guide.rs": fill("src/guide.rs", [("//! " + bodies, lambda cells: figures.bodies(cells, str))]),
+        "src/guide/mod.rs": fill("src/guide/mod.rs", [("//! " + bodies, lambda cells: figures.bodies(cells, str))]),
         f"{FIRMWARE}/gba/README.md": fill(f"{FIRMWARE}/gba/README.md", [("| step | Thumb in", figures.console)]),
     }
     sentence = [(r"image takes (\d+) bytes", str(table.template))]
@@ -149,9 +150,13 @@ class Figures:
         }[cells[0]]
         return [cells[0], *(self.each(GBA, of, scalar, "SemiImplicitEuler") for of in (scene, f"{scene} in IWRAM"))]
 
-    def sentences(self):
+    def scene(self):
+        """Of the sentence that says what the scene takes."""
         row = self.rows[M0, *SCENE]
-        fast = [self.each(GBA, f"gravity {step} in IWRAM", *SCENE[1:]) for step in ("4389/2^18", "1/64")]
         return [(r"takes\s+(\d+)\s+bytes of\s+flash", row["flash_bytes"]), (r"(\d+)\s+bytes\s+of\s+RAM", row["ram_bytes"]),
-                (r"(\d+)\s+bytes\s+of\s+stack", row["stack_bytes"]),
-                (r"takes\s+([\d.]+)\s+cycles at one frame a step", fast[0]), (r"and\s+([\d.]+)\s+at\s+1/64\s+s:", fast[1])]
+                (r"(\d+)\s+bytes\s+of\s+stack", row["stack_bytes"])]
+
+    def fast_ram(self):
+        """Of the sentence about the console's fast RAM."""
+        fast = [self.each(GBA, f"gravity {step} in IWRAM", *SCENE[1:]) for step in ("4389/2^18", "1/64")]
+        return [(r"takes\s+([\d.]+)\s+cycles at one frame a step", fast[0]), (r"and\s+([\d.]+)\s+at\s+1/64\s+s:", fast[1])]

@@ -1,0 +1,2 @@
+//! How wrong a scene is: long runs, stability, and error against cost.
+#![doc = include_str!("../../docs/accuracy.md")]

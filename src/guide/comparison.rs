@@ -1,0 +1,2 @@
+//! Errors and costs of other engines, and what they do more.
+#![doc = include_str!("../../docs/comparison.md")]

@@ -1,0 +1,4 @@
+//! How bodies rotate: angles, torques, shapes.
+//!
+//! [costs-turning]: super::costs#bodies-that-turn
+#![doc = include_str!("../../docs/rotation.md")]
