@@ -35,8 +35,7 @@ mod scenes;
 #[allow(dead_code)] // the example has titles
 #[path = "../examples/charts/starts.rs"]
 mod starts;
-#[path = "../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 #[path = "../examples/charts/table.rs"]
 mod table;
 #[path = "charts/tables.rs"]

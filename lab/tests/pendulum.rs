@@ -9,8 +9,7 @@
 //!
 //! which of a spring gives the `(h ω)²/24` that the method states.
 
-#[path = "../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 
 #[path = "../examples/pendulum/exact.rs"]
 mod exact;

@@ -3,8 +3,7 @@
 //! The measured error is that of a flight in the type against one in `f64` by the same map: the largest
 //! distance of any body in the last second.
 
-#[path = "../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 
 #[path = "../examples/qformat/advise.rs"]
 mod advise;

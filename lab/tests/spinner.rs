@@ -10,8 +10,7 @@
 //!
 //! A carried spin or velocity is rounded `2^-14` of a unit or finer.
 
-#[path = "../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 
 #[path = "../examples/spinner/exact.rs"]
 mod exact;

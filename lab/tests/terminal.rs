@@ -17,8 +17,7 @@
 //! and the coefficients'. The derivation stands with the formula, in `examples/terminal/bound.rs`.
 //! Inside of its dead zone fixed point is where a kick of `g h` rounded down becomes one rounded up.
 
-#[path = "../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 
 #[path = "../examples/terminal/bound.rs"]
 mod bound;

@@ -91,7 +91,7 @@ impl<C: Centre> Rigid<C> {
     /// [`shape`](crate::mass), or what is made of several. Refuses what [`Point::new`] and [`Rigid::new`] refuse.
     ///
     /// ```
-    /// use fixstep::{dec, shape, vec2, Point, Rigid};
+    /// use fixstep::{dec, mass, vec2, Point, Rigid};
     /// let plate = mass::rectangle::<f32>(1, dec!(0.5))?.with_density(10)?;
     /// let body = Rigid::<Point<_>>::from_properties(&plate.at(vec2(3, 4)?)?, vec2(0, 0)?)?;
     /// assert_eq!(body.position(), vec2(3, 4)?);

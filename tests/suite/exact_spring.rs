@@ -1,7 +1,6 @@
 //! Springs solved exactly: `ExactSpring` and `ExactPair` against the exact flow in twice the
 //! precision of `f64`, over every scalar and both splitting methods.
 
-
 #[path = "exact_spring/drag.rs"]
 mod drag;
 #[path = "exact_spring/flow.rs"]

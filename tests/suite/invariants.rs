@@ -62,7 +62,7 @@ fn rounding<S: Format>(scheme: Scheme, size: f64, speed: f64, steps: f64) -> f64
 /// energy of the start is `1 + 0.6² + 0.15² = 1.38` times that of x alone, and the kept forms differ
 /// from it by less than q/2 = 0.15 of itself.
 fn check_kept<S: Format>(scheme: Scheme) {
-    const STEPS: u32 = 100_000;
+    const STEPS: u32 = long(100_000) as u32;
     let omega = 0.3 * RATE;
     let size = room::<S>() / (1.3 * omega);
     let mut world = orbits::<S>(size, omega);

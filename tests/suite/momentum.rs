@@ -7,7 +7,7 @@ use fixstep::fixed::types::{I8F24, I12F20, I16F16};
 use fixstep::{Body, BodyId, Pairs, Point, Scalar, Spring, Step, TimeStep, Vec2, World};
 use support::*;
 
-const STEPS: u32 = 100_000;
+const STEPS: u32 = long(100_000) as u32;
 
 /// A point that remembers its last push and counts pushes and kicks.
 #[derive(Clone, Copy, Debug)]

@@ -16,7 +16,7 @@ use fixstep::{Step, World};
 use scene::*;
 use support::*;
 
-const STEPS: u32 = 100_000;
+const STEPS: u32 = long(100_000) as u32;
 
 /// Kicks of one body in a step.
 const KICKS: f64 = (N - 1) as f64;

@@ -137,7 +137,7 @@ const QS: [f64; 4] = [0.1, 1.1, 1.9, 1.99];
 /// ends of its ellipse: not more, and, as its angle is no fraction of a turn, not less. The angle
 /// of the turn nearest to an end is within 1e-3, which is 1e-6 of the end.
 fn check_bounded<S: Format>(scheme: Scheme) {
-    const STEPS: u32 = 1_000_000;
+    const STEPS: u32 = long(1_000_000) as u32;
     let q: [f64; 8] = std::array::from_fn(|i| QS[i / 2]);
     let at = |i: usize| on_ellipse(scheme, q[i / 2], room::<S>().min(16.0), i);
     let mut world = world(std::array::from_fn(|i| {

@@ -2,13 +2,13 @@
 //!
 //! Q16.16 in an `i32`, with factors of 40 fractional bits in an `i64`; plain code, not fast.
 
+use crate::laws::integer::{Integer, Integers};
+use crate::laws::{integer, judge, verbs};
 use fixstep::scalar::Factor;
 use fixstep::{
     Anchor, DyadicStep, Gravity, Point, Ratio, Scalar, SemiImplicitEuler, Step, TimeStep, Verlet,
     World, dec, vec2,
 };
-use crate::laws::integer::{Integer, Integers};
-use crate::laws::{integer, judge, verbs};
 
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 struct Own(i32);

@@ -1,6 +1,5 @@
 //! Snapshots: what was saved goes on with the same bits, and nothing else is read.
 
-
 #[path = "snapshot/bodies.rs"]
 mod bodies;
 #[path = "snapshot/bytes.rs"]

@@ -3,7 +3,7 @@
 //! coefficients that the type holds.
 
 #[allow(dead_code)]
-#[path = "../../../tests/suite/rounding/duffing.rs"]
+#[path = "../../tests/sweeps/rounding/duffing.rs"]
 mod duffing;
 #[path = "growth/picture.rs"]
 mod picture;

@@ -40,8 +40,7 @@ mod run;
 mod scenes;
 mod starts;
 mod subject;
-#[path = "../../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 mod table;
 mod verdict;
 mod work;

@@ -3,18 +3,18 @@
 //! `tests/stability`.
 
 #[allow(dead_code)]
-#[path = "../../../tests/suite/stability/drag.rs"]
+#[path = "../../tests/sweeps/stability/drag.rs"]
 mod drag;
-#[path = "../../../tests/suite/stability/drag_cell.rs"]
+#[path = "../../tests/sweeps/stability/drag_cell.rs"]
 mod drag_cell;
 #[allow(dead_code)]
-#[path = "../../../tests/suite/stability/law.rs"]
+#[path = "../../tests/sweeps/stability/law.rs"]
 mod law;
 #[allow(dead_code)]
-#[path = "../../../tests/suite/stability/run.rs"]
+#[path = "../../tests/sweeps/stability/run.rs"]
 mod run;
 #[allow(dead_code)]
-#[path = "../../../tests/suite/stability/scene.rs"]
+#[path = "../../tests/sweeps/stability/scene.rs"]
 mod scene;
 
 #[path = "maps/drags.rs"]

@@ -19,8 +19,7 @@ mod csv;
 mod fall;
 mod scene;
 mod series;
-#[path = "../../../tests/suite/support/mod.rs"]
-mod support;
+use fixstep_lab::support;
 mod table;
 
 use std::error::Error;

@@ -7,8 +7,8 @@ use fixstep::{Carried, Pairs, Point, Spring, Step, World};
 use super::bits::{Fine, counted_mass, exact, momentum};
 use crate::support::*;
 
-const STEPS: u32 = 1_000_000;
-const SHORT: u32 = 10_000;
+const STEPS: u32 = long(1_000_000) as u32;
+const SHORT: u32 = long(10_000) as u32;
 
 const MASSES: [[f64; 2]; 3] = [[1.0, 3.0], [1.37, 2.91], [1.0, 1000.0]];
 

@@ -25,7 +25,7 @@ fn circles(hertz: &str) -> (World<Point<f64>, 16>, f64, Ratio) {
     (world(std::array::from_fn(body)), omega, hertz)
 }
 
-/// Root of the mean square of x - cos(θ k + φ) over 60,000 steps; whole turns are taken off in
+/// Root of the mean square of x - cos(θ k + φ) over 60,000 steps (in the quick suite, a fiftieth); whole turns are taken off in
 /// integers.
 fn rms(mut scheme: Splitting, hertz: &str, [num, den]: [u64; 2]) -> [f64; 16] {
     let (mut world, _, hertz) = circles(hertz);
@@ -34,7 +34,7 @@ fn rms(mut scheme: Splitting, hertz: &str, [num, den]: [u64; 2]) -> [f64; 16] {
     let mut springs: [_; 16] = std::array::from_fn(spring);
     let step = Step::hz(60).unwrap();
     let mut squares = [0.0; 16];
-    for tick in 1..=60_000 {
+    for tick in 1..=long(60_000) {
         world.step(&mut scheme, &mut springs, &step);
         let turned = TAU * (tick * num % den) as f64 / den as f64;
         for (i, square) in squares.iter_mut().enumerate() {
@@ -42,7 +42,7 @@ fn rms(mut scheme: Splitting, hertz: &str, [num, den]: [u64; 2]) -> [f64; 16] {
             *square += off * off;
         }
     }
-    squares.map(|square| (square / 60_000.0).sqrt())
+    squares.map(|square| (square / long(60_000) as f64).sqrt())
 }
 
 /// As asked. Each flow is off by less than 4e-15 (`rounding::of_flow`), two of them 60,000 times by less
@@ -80,7 +80,7 @@ fn the_explicit_spring_diverges_there() {
 /// both. Six standard deviations after N flows; ten roundings of coefficients bend the circle into
 /// an ellipse, once.
 fn growth<S: Format>(mut scheme: Splitting) -> [f64; 16] {
-    const STEPS: u32 = 1_000_000;
+    const STEPS: u64 = long(1_000_000);
     let hertz = |i: usize| 0.5 * 53.0_f64.powf(spread(i));
     let omega: [f64; 16] = std::array::from_fn(|i| TAU * hertz(i));
     let size = |i: usize| (40.0 / omega[i]).min(1.0);

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use fixstep::fixed::types::{I8F24, I12F20, I16F16, I20F12};
 use fixstep::{ExactSpring, Method, Point, SemiImplicitEuler, Step, Vec2, Verlet, World};
 
-use crate::support::*;
 use crate::invariants::{RATE, room};
+use crate::support::*;
 
-const STEPS: u32 = 100_000;
+const STEPS: u32 = long(100_000) as u32;
 const QS: [f64; 4] = [0.1, 1.1, 2.5, 6.0];
 
 /// Four phases, on a circle in (x, u), for each of `QS`.

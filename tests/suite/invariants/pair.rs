@@ -8,7 +8,7 @@ use crate::invariants::RATE;
 use crate::support::*;
 
 const MASSES: [f64; 2] = [1.37, 2.91];
-const STEPS: u32 = 10_000;
+const STEPS: u32 = long(10_000) as u32;
 
 /// How large a scene is: a thousandth of the range, within 1 and 10 m.
 fn length<S: Format>() -> f64 {

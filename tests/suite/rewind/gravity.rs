@@ -59,7 +59,13 @@ fn long<S: Format + fixstep::Exact>(
     method: impl Rewinds<RangeChecked<Point<S>>, 5>,
     step: &impl TimeStep<S>,
 ) {
-    returns(way, start, method, step, [100_000, 1000]);
+    returns(
+        way,
+        start,
+        method,
+        step,
+        [support::long(100_000), support::long(1000)],
+    );
 }
 
 fn short<S: Format + fixstep::Exact>(
@@ -68,7 +74,13 @@ fn short<S: Format + fixstep::Exact>(
     method: impl Rewinds<RangeChecked<Point<S>>, 5>,
     step: &impl TimeStep<S>,
 ) {
-    returns(way, start, method, step, [10_000, 100]);
+    returns(
+        way,
+        start,
+        method,
+        step,
+        [support::long(10_000), support::long(100)],
+    );
 }
 
 #[test]

@@ -9,6 +9,14 @@ use fixstep::{
     Rk4, Scalar, SemiImplicitEuler, TimeStep, Vec2, Verlet, World,
 };
 
+/// Whether this is the lab, which has the time for long runs.
+const LAB: bool = matches!(env!("CARGO_PKG_NAME").as_bytes(), b"fixstep-lab");
+
+/// Steps of a long run: all of them in the lab, a fiftieth in the quick suite.
+pub const fn long(steps: u64) -> u64 {
+    if LAB { steps } else { steps / 50 }
+}
+
 /// A scalar that knows its name and the distance to its next value.
 pub trait Format: Scalar {
     /// Its name in a report.

@@ -1,7 +1,6 @@
 //! What rounding alone does, the method's error taken away: how it grows where a frequency depends on
 //! the energy, where it stops a motion, and that it has no direction of its own.
 
-
 #[path = "rounding/bias.rs"]
 mod bias;
 #[path = "rounding/closed.rs"]

@@ -11,8 +11,8 @@
 use fixstep::fixed::types::{I8F24, I16F16};
 use fixstep::{BodyId, Force, Point, Step};
 
-use crate::support::*;
 use crate::rounding::zones::*;
+use crate::support::*;
 
 /// Up to three edges a kick is one unit, so that a velocity of three falls to the edge in as many steps
 /// as there are units between; there it stays.

@@ -25,7 +25,9 @@
 //! that counts h times. A float also rounds each product and, with the rest of the last sum, the term
 //! to be added: twice a unit of `h v` and of `h a`, which fixed point has exactly but for 2^-15.
 
-use crate::rounding::duffing::{Lengths, STARTS, Setup, State, acceleration, energy, frequency, start};
+use crate::rounding::duffing::{
+    Lengths, STARTS, Setup, State, acceleration, energy, frequency, start,
+};
 use crate::support::Format;
 
 /// Variances of x and of v that a step adds at a state.

@@ -7,8 +7,8 @@ use fixstep::{
     Ratio, Vec2,
 };
 
-use crate::support::*;
 use crate::rounding::zones::*;
+use crate::support::*;
 
 fn exact<S: Grid + Decay>(case: &Case, _: BodyId) -> ExactDrag<S> {
     ExactDrag::new(case.k()).unwrap()

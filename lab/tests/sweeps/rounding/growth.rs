@@ -13,7 +13,9 @@ use fixstep::fixed::types::extra::U56;
 use fixstep::fixed::types::{I8F24, I12F20, I16F16};
 use fixstep::{Body, Carried, Carry, Point};
 
-use crate::rounding::duffing::{COUNTS, Errors, Lengths, STARTS, Setup, energy, frequency, run, start};
+use crate::rounding::duffing::{
+    COUNTS, Errors, Lengths, STARTS, Setup, energy, frequency, run, start,
+};
 use crate::rounding::noise::{self, Law, Noise};
 use crate::support::*;
 

@@ -1,0 +1,26 @@
+//! Long sweeps: laws that show only after thousands of steps, or over whole maps.
+
+use fixstep_lab::support;
+
+mod angular_momentum;
+mod carry;
+mod kepler;
+mod long_run;
+mod rounding;
+mod stability;
+
+// Of the quick suite, here with all their steps.
+#[path = "../../../tests/suite/exact_spring.rs"]
+mod exact_spring;
+#[path = "../../../tests/suite/high_order.rs"]
+mod high_order;
+#[path = "../../../tests/suite/invariants.rs"]
+mod invariants;
+#[path = "../../../tests/suite/momentum.rs"]
+mod momentum;
+#[path = "../../../tests/suite/nbody.rs"]
+mod nbody;
+#[path = "../../../tests/suite/oscillator.rs"]
+mod oscillator;
+#[path = "../../../tests/suite/rewind.rs"]
+mod rewind;
