@@ -118,7 +118,7 @@ pub trait Body: Copy + 'static {
         self.move_by(self.velocity(), factor);
     }
 
-    /// `x += a z + b v` and `v += c z + d v` from the state before: `z = x - from`, `by = [a, b, c, d]`.
+    /// `x += a z + b v`, `v += c z + d v`, both from the old state. `z = x - from`, `by = [a, b, c, d]`.
     #[inline]
     fn swing(&mut self, from: Vec2<Self::S>, by: [<Self::S as Scalar>::Coef; 4]) {
         let ([a, b, c, d], z, v) = (by, self.position() - from, self.velocity());

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A method with one velocity per step moves along the chord. A method for constant acceleration moves
-//! along the chord plus the bow: from `x0` with `v0` to `x1` with `v1`, and `x1 - x0 = h/2 (v0 + v1)`.
+//! along the chord plus the bow. It goes from `x0`, `v0` to `x1`, `v1`, with `x1 - x0 = h/2 (v0 + v1)`.
 //! Each [`Method`](crate::Method) selects its own formula. A *flow* is a force that replaces the drift by
 //! its exact solution, such as an exact spring. It rotates by `h ω` within a step. A parabola cannot
 //! follow that if `h ω` is 1 or more.

@@ -23,8 +23,8 @@ impl<B: Body, const N: usize> World<B, N> {
             .fold(Vec2::ZERO, |sum, p| sum + p)
     }
 
-    /// Total angular momentum about the point `about` (m), kg m²/s: `sum(m (x - about) × v)` plus the
-    /// angular momentum of each body about its own centre.
+    /// Total angular momentum about the point `about` (m), kg m²/s. It is `sum(m (x - about) × v)` plus
+    /// the angular momentum of each body about its own centre.
     #[must_use]
     pub fn angular_momentum(&self, about: Vec2<f64>) -> f64 {
         let of = |body: &B| {

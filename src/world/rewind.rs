@@ -15,7 +15,17 @@
 //!
 //! It works on a copy of the bodies, so an error changes nothing. The module
 //! [`integrate`](crate::integrate) has the proof and the source.
-//! [`World::step_back`] has an example.
+//!
+//! ```
+//! use fixstep::{GravityY, Point, RangeChecked, Step, Verlet, World, fixed::types::I16F16, vec2};
+//! let mut world = World::<RangeChecked<Point<I16F16>>, 1>::new();
+//! let ball = RangeChecked::new(Point::new(vec2(0, 2)?, vec2(3, 0)?, 1)?);
+//! let id = world.add(ball)?;
+//! world.step(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(60)?);
+//! world.step_back(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(60)?).unwrap();
+//! assert_eq!((world.tick(), world.get(id)?), (0, &ball));
+//! # Ok::<(), fixstep::Error>(())
+//! ```
 
 use core::fmt;
 

@@ -1,5 +1,12 @@
 //! Saves a world as bytes and loads it: for a save file, rollback over a network, a crash dump.
 //!
+//! ```
+//! use fixstep::{Point, World};
+//! let mut bytes = [0; 40];
+//! World::<Point<f32>, 4>::new().save(&mut bytes).unwrap(); // an empty world is a header
+//! assert!(World::<Point<f32>, 4>::load(&bytes).unwrap().is_empty());
+//! ```
+//!
 //! ```text
 //!  0  4  "fixs"          16  4  number of bodies
 //!  4  2  version         20  8  tick
@@ -40,12 +47,19 @@ use crate::world::fnv::Fnv32;
 use bytes::{Reader, Writer};
 
 /// The version of the format that is written, and the only one that is read.
+///
+/// ```
+/// use fixstep::{Point, World, world::snapshot::VERSION};
+/// let mut bytes = [0; 40];
+/// World::<Point<f32>, 0>::new().save(&mut bytes).unwrap();
+/// assert_eq!(bytes[4..6], VERSION.to_le_bytes());
+/// ```
 pub const VERSION: u16 = 1;
 
 /// Bytes before the first body.
 ///
 /// ```
-/// use fixstep::{Point, World, snapshot::HEADER};
+/// use fixstep::{Point, World, world::snapshot::HEADER};
 /// assert_eq!(World::<Point<f32>, 8>::SNAPSHOT, HEADER + 8 * 24);
 /// ```
 pub const HEADER: usize = 40;
@@ -132,7 +146,7 @@ impl<B: Saved, const N: usize> World<B, N> {
     }
 
     /// Loads a world that [`save`](World::save) wrote. It is an error if the version, number type, kind
-    /// of body or length differ, if bytes were changed, or if there are too many bodies.
+    /// of body or length differ. Changed bytes and too many bodies are errors too.
     ///
     /// ```
     /// # use fixstep::{Point, World, vec2};
