@@ -31,7 +31,7 @@ pub trait Body: Copy + 'static {
     /// Its number type.
     type S: Scalar;
 
-    /// Its type of spin. A point has [`NoSpin`](crate::body::NoSpin), which takes no memory and costs nothing.
+    /// Its type of spin. A point has [`NoSpin`], which takes no memory and costs nothing.
     type Spin: Spin<Self::S>;
 
     /// Position of the centre of mass, m.
