@@ -34,6 +34,8 @@ use crate::scalar::{Carry, Factor, Scalar};
 /// ```compile_fail
 /// let step = fixstep::DyadicStep::<f32, 1, 40>::new();
 /// ```
+///
+/// [`Step`]: crate::Step
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DyadicStep<S: Scalar, const NUM: u32, const SHIFT: u32> {
     coef: S::Coef,
