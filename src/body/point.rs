@@ -1,4 +1,4 @@
-//! The body of rung one: a point with mass.
+//! A point with mass.
 
 use crate::body::{Body, NoSpin, Reverse, finite};
 use crate::error::Error;
@@ -7,7 +7,15 @@ use crate::scalar::{Exact, Factor, Scalar};
 use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
-/// A point with mass in 20 bytes of any 32-bit scalar: position, velocity, inverse mass.
+/// A point with mass: position, velocity and inverse mass. In a 32-bit scalar it has 20 bytes.
+///
+/// ```
+/// use fixstep::{Point, vec2};
+/// let ball = Point::<f32>::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+/// assert_eq!(ball.position(), vec2(0, 10)?);
+/// assert_eq!(size_of_val(&ball), 20);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<S: Scalar> {
     position: Vec2<S>,
@@ -18,12 +26,13 @@ pub struct Point<S: Scalar> {
 impl<S: Scalar> Point<S> {
     /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg).
     ///
-    /// Refuses a mass that is not positive or whose inverse the scalar cannot hold (32-bit fixed
-    /// point: from 0.5 g to 2000 t), and a state that is NaN or infinite.
+    /// The mass must be positive, and the scalar must hold its inverse: in 32-bit fixed point from 0.5 g
+    /// to 2000 t. NaN and infinity in position or velocity are errors.
     ///
     /// ```
     /// use fixstep::{dec, vec2, Point, fixed::types::I16F16};
     /// let ball = Point::<I16F16>::new(vec2(0, 10)?, vec2(3, 0)?, dec!(0.5))?;
+    /// assert_eq!(ball.velocity(), vec2(3, 0)?);
     /// assert!(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 0).is_err());
     /// # Ok::<(), fixstep::Error>(())
     /// ```
@@ -59,8 +68,8 @@ impl<S: Scalar> Point<S> {
         self.velocity
     }
 
-    /// From a state that was a point's before, NaN and all; `None` where the inverse mass is not
-    /// finite or not greater than zero, as only the bits of a float can be.
+    /// From the saved state of a point, which may contain NaN. `None` if the inverse mass is not finite or
+    /// not greater than zero; only a float can have such bits.
     pub(crate) fn from_parts(
         position: Vec2<S>,
         velocity: Vec2<S>,
@@ -74,19 +83,35 @@ impl<S: Scalar> Point<S> {
         })
     }
 
-    /// The same with another inverse mass, which nothing checks.
+    /// The same point with another inverse mass, unchecked.
     pub(crate) const fn with_inv_mass(self, inv_mass: S::InvMass) -> Self {
         Point { inv_mass, ..self }
     }
 
-    /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
+    /// Sets the position and keeps the velocity. NaN and infinity are errors.
+    ///
+    /// ```
+    /// # use fixstep::{Point, vec2};
+    /// let mut ball = Point::<f32>::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+    /// ball.teleport(vec2(5, 5)?)?;
+    /// assert_eq!((ball.position(), ball.velocity()), (vec2(5, 5)?, vec2(3, 0)?));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
         finite("position", position)?;
         self.position = position;
         Ok(())
     }
 
-    /// Gives the point another velocity. Refuses NaN and infinity.
+    /// Sets the velocity and keeps the position. NaN and infinity are errors.
+    ///
+    /// ```
+    /// # use fixstep::{Point, vec2};
+    /// let mut ball = Point::<f32>::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+    /// ball.set_velocity(vec2(0, 4)?)?;
+    /// assert_eq!((ball.position(), ball.velocity()), (vec2(0, 10)?, vec2(0, 4)?));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
         finite("velocity", velocity)?;
         self.velocity = velocity;

@@ -1,19 +1,19 @@
 //! A body that remembers whether it was at an end of the range.
 //!
-//! A plain [`Point`](crate::Point) keeps no books: what saturates in the middle of a step and is
-//! pulled back inside by its end leaves no trace. Here every verb looks at what it has changed, at the
-//! price of two comparisons an axis and, in 32 bits, 4 bytes a body.
+//! A plain [`Point`](crate::Point) does not record saturation. If it saturates in the middle of a step and
+//! returns inside before the end, nothing shows it. Here every method tests what it has changed. It costs
+//! two comparisons per axis and, in 32 bits, 4 bytes per body.
 
 use crate::body::{Body, Reverse};
 use crate::scalar::Scalar;
 use crate::time::TimeStep;
 use crate::vec2::Vec2;
 
-/// A body with a mark that stays: whether any verb has left its position, velocity or spin at an end
-/// of the range, or not finite. A sum that saturates does.
+/// A body with a permanent mark: whether it was ever at an end of the range, or not finite.
 ///
-/// It moves as the body does, to the bit, and has its state hash: the mark says how far the history can
-/// be trusted, it is no part of the state.
+/// Every method tests the position, velocity or spin that it changes. A sum that saturates sets the mark.
+/// The motion and the state hash are those of the body, to the bit. The mark is not part of the state;
+/// it tells whether the history can be trusted.
 ///
 /// ```
 /// use fixstep::{vec2, Body, Point, RangeChecked, fixed::types::I16F16};
@@ -32,14 +32,14 @@ pub struct RangeChecked<B> {
 }
 
 impl<B: Body> RangeChecked<B> {
-    /// Watches from now on. A body that stands at an end of the range is marked at once.
+    /// Checks `body` from now on. A body at an end of the range is marked at once.
     #[inline]
     #[must_use]
     pub fn new(body: B) -> RangeChecked<B> {
         RangeChecked::marked(body, false)
     }
 
-    /// With the mark that it had, or should have.
+    /// With a saved mark; a body at an end of the range is marked in any case.
     pub(crate) fn marked(body: B, outside: bool) -> RangeChecked<B> {
         let outside = outside || !body.is_inside();
         RangeChecked { body, outside }
@@ -52,26 +52,28 @@ impl<B: Body> RangeChecked<B> {
         &self.body
     }
 
-    /// Whether it was at an end of the range, at any time since it is watched.
+    /// Whether it was at an end of the range at any time since the check began.
     #[inline]
     #[must_use]
     pub const fn was_outside(&self) -> bool {
         self.outside
     }
 
-    /// Takes the mark away, if the body is inside now. What was before is given up: steps that lie
-    /// behind this moment would be undone to another state than there was.
+    /// Clears the mark if the body is inside now. Do not undo steps made before this call: they
+    /// could lead to a different state.
     #[inline]
     pub fn forget(&mut self) {
         self.outside = !self.body.is_inside();
     }
 
-    /// `change` on the body, by hand and between steps.
+    /// Applies `change` to the body between steps, and tests the result.
     ///
     /// ```
     /// # use fixstep::{vec2, Body, Point, RangeChecked, fixed::types::I16F16};
     /// # let mut ball = RangeChecked::new(Point::<I16F16>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?);
-    /// ball.change(|point| point.teleport(vec2(3, 4).unwrap()))?;
+    /// let there = vec2(3, 4)?;
+    /// ball.change(|point| point.teleport(there))?;
+    /// assert_eq!(ball.position(), there);
     /// # Ok::<(), fixstep::Error>(())
     /// ```
     pub fn change<R>(&mut self, change: impl FnOnce(&mut B) -> R) -> R {
@@ -86,7 +88,7 @@ impl<B: Body> RangeChecked<B> {
     }
 }
 
-/// Each verb is that of the body, and a look at the half of the state that it changes.
+/// Each method calls that of the body and tests the half of the state that it changes.
 macro_rules! verbs {
     ($($verb:ident($($name:ident: $type:ty),*) changes $half:ident;)*) => {
         $(

@@ -1,13 +1,19 @@
-//! What a body has of rotation: nothing, or a spin.
+//! The rotation of a body: none, or a spin.
 
 use core::fmt::Debug;
 
 use crate::scalar::Scalar;
 
-/// How a kind of body turns: [`NoSpin`], or a scalar in turns/s.
+/// The spin of a type of body: [`NoSpin`], or a scalar in turns/s.
 ///
-/// Methods work with spins as they work with velocities. Of what has no spin nothing is left when it
-/// is compiled.
+/// Methods integrate spins as they integrate velocities. For [`NoSpin`] the compiler removes this code.
+///
+/// ```
+/// use fixstep::body::Spin;
+/// let spin = 0.5_f32; // turns/s
+/// assert_eq!(spin.sum(0.25), 0.75);
+/// assert_eq!(spin.half(), 0.25);
+/// ```
 pub trait Spin<S: Scalar>: Copy + Debug + PartialEq + 'static {
     /// No rotation.
     const NONE: Self;
@@ -29,7 +35,13 @@ pub trait Spin<S: Scalar>: Copy + Debug + PartialEq + 'static {
     fn part(self, factor: S::Coef) -> Self;
 }
 
-/// The spin of what does not turn. It takes no memory.
+/// The spin of a body that does not rotate. It takes no memory.
+///
+/// ```
+/// use fixstep::body::{NoSpin, Spin};
+/// assert_eq!(size_of::<NoSpin>(), 0);
+/// assert_eq!(Spin::<f32>::sum(NoSpin, NoSpin), NoSpin);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NoSpin;
 

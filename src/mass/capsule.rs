@@ -5,22 +5,23 @@
 //! I / m = p (L²/12 + r²) + (1 - p) (L²/4 + r²/2),    p = 2 L / (2 L + π r)
 //! ```
 //!
-//! p is the rectangle's part of the area. The rectangle has `(L² + 4 r²) / 12` of its mass. The
-//! halves have their centroids `c = 4 r / 3π` beyond `L/2`, so that both have of theirs
-//! `r²/2 - c² + (L/2 + c)² = r²/2 + L²/4 + c L`. The last, `(1 - p) c L = p 2 r²/3`, is put with
-//! the rectangle.
+//! p is the rectangle's part of the area. The inertia per mass of the rectangle is `(L² + 4 r²) / 12`.
+//! The centroid of each half disc is `c = 4 r / 3π` beyond `L/2`. So the inertia per mass of the
+//! half discs is `r²/2 - c² + (L/2 + c)² = r²/2 + L²/4 + c L`. The term with `c L` is counted with the
+//! rectangle, because `(1 - p) c L = p 2 r²/3`.
 
 use super::{PI, Shape, longer, not_negative, positive};
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 
-/// A capsule about the origin; `length` between the centres of its ends and `radius`, in m. Refuses
-/// a negative length, and a radius that is not positive.
+/// A capsule with its centre at the origin. `length` is between the centres of its ends, m; `radius` in m.
+/// The length must not be negative, and the radius must be positive.
 ///
 /// ```
 /// use fixstep::{dec, mass::{capsule, disc}};
 /// let pill = capsule::<f32>(dec!(0.01), dec!(0.003))?;
+/// assert!((pill.area().to_f64() - 88.27e-6).abs() < 1e-8); // 2 r L + π r²
 /// assert_eq!(capsule::<f32>(0, 2)?, disc(2)?);
 /// # Ok::<(), fixstep::Error>(())
 /// ```

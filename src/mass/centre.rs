@@ -1,4 +1,4 @@
-//! A body made of point masses: what the set amounts to.
+//! A set of point masses: its mass, centre of mass and velocity.
 //!
 //! ```text
 //! M   = sum(m)
@@ -7,9 +7,9 @@
 //! p   = sum(m v) = M v      momentum of the whole
 //! ```
 //!
-//! Masses are exact fractions, so no sum of them overflows a scalar; a point enters with its weight
-//! `m / M`, which is a coefficient. Each product is rounded once: n points put the centre at most
-//! `n / 2` units off, at the end of the range one more, and never outside of it.
+//! Masses are exact fractions, so no sum of them overflows a scalar. Each point has the weight
+//! `m / M`, which is a coefficient. Each product is rounded once. With n points the error of the centre
+//! is at most `n / 2` units, and one more at the end of the range. It never leaves the range.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 7 to 10.
 
 use crate::body::{Point, finite};
@@ -18,18 +18,36 @@ use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 use crate::vec2::Vec2;
 
-/// One of the points that a body is made of.
+/// One point of a set of point masses.
+///
+/// ```
+/// use fixstep::{CentreOfMass, PointMass, dec, vec2};
+/// let ball = PointMass { position: vec2::<f32>(2, 0)?, velocity: vec2(0, 0)?, mass: dec!(3) };
+/// let whole = CentreOfMass::new(&[ball, ball])?;
+/// assert_eq!((whole.mass, whole.position), (dec!(6), vec2(2, 0)?));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMass<S> {
-    /// Where it is, m.
+    /// Position, m.
     pub position: Vec2<S>,
-    /// How it moves, m/s; the same for all points of a body that does not turn.
+    /// Velocity, m/s; the same for all points of a body that does not rotate.
     pub velocity: Vec2<S>,
     /// Its mass, kg.
     pub mass: Ratio,
 }
 
-/// What a set of point masses amounts to, seen from afar.
+/// The total mass, the centre of mass and its velocity, for a set of point masses.
+///
+/// ```
+/// use fixstep::{CentreOfMass, PointMass, dec, vec2};
+/// let at_rest = PointMass { position: vec2::<f32>(0, 0)?, velocity: vec2(0, 0)?, mass: dec!(1) };
+/// let moving = PointMass { position: vec2(4, 0)?, velocity: vec2(4, 0)?, mass: dec!(3) };
+/// let whole = CentreOfMass::new(&[at_rest, moving])?;
+/// assert_eq!((whole.position, whole.velocity), (vec2(3, 0)?, vec2(3, 0)?));
+/// assert_eq!(whole.momentum().x, 12.0); // 4 kg at 3 m/s
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CentreOfMass<S> {
@@ -42,10 +60,10 @@ pub struct CentreOfMass<S> {
 }
 
 impl<S: Scalar> CentreOfMass<S> {
-    /// Of all `points` together.
+    /// The centre of mass of all `points` together.
     ///
-    /// Refuses an empty set, a mass that is not positive, a total that 62 bits cannot hold to ten
-    /// digits, and points that are NaN or infinite.
+    /// There must be at least one point. Masses must be positive, and 62 bits must hold their total to
+    /// ten digits. NaN and infinity are errors.
     ///
     /// ```
     /// use fixstep::mass::{CentreOfMass, PointMass};
@@ -57,7 +75,7 @@ impl<S: Scalar> CentreOfMass<S> {
     /// };
     /// let whole = CentreOfMass::new(&[ball(-2, dec!(1))?, ball(2, dec!(3))?])?;
     /// assert_eq!((whole.mass, whole.position), (dec!(4), vec2(1, 0)?));
-    /// let body = whole.point()?; // to be added to a world
+    /// let body = whole.point()?; // ready for `World::add`
     /// # Ok::<(), fixstep::Error>(())
     /// ```
     pub fn new(points: &[PointMass<S>]) -> Result<CentreOfMass<S>, Error> {
@@ -80,20 +98,20 @@ impl<S: Scalar> CentreOfMass<S> {
         Ok(whole)
     }
 
-    /// Momentum of the whole, kg m/s; for reports.
+    /// Total momentum, kg m/s; for reports.
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         self.velocity.to_f64().map(|v| v * self.mass.to_f64())
     }
 
-    /// The point that moves as the centre does, under the sum of all forces. Refuses a mass that
-    /// [`Point::new`] refuses.
+    /// A point with the total mass, which moves like the centre with the sum of all forces. The errors are
+    /// those of [`Point::new`].
     pub fn point(&self) -> Result<Point<S>, Error> {
         Point::new(self.position, self.velocity, self.mass)
     }
 }
 
-/// The sum of all masses, none of which may be zero or less.
+/// The sum of all masses, which must all be positive.
 fn total<S>(points: &[PointMass<S>]) -> Result<Ratio, Error> {
     let field = "mass";
     let mut total = Ratio::ZERO;

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 
-/// A disc about the origin; `radius` in m. Refuses one that is not positive.
+/// A disc with its centre at the origin. `radius` is in m and must be positive.
 ///
 /// ```
 /// use fixstep::{dec, mass::disc};

@@ -1,4 +1,4 @@
-//! What mass, centre and moment of inertia a shape has.
+//! Mass, centre of mass and moment of inertia of shapes.
 //!
 //! | shape | area, m² | inertia per mass, m², about its centre |
 //! |---|---|---|
@@ -6,12 +6,12 @@
 //! | [`ring`](ring()) | `π (R² - r²)` | `(R² + r²) / 2` |
 //! | [`rectangle`](rectangle()) | `w h` | `(w² + h²) / 12` |
 //! | [`capsule`](capsule()) | `2 r L + π r²` | `p (L²/12 + r²) + (1 - p) (L²/4 + r²/2)`, `p = 2 L / (2 L + π r)` |
-//! | [`polygon`](polygon()), [`convex_polygon`] | Green's theorem | the same |
+//! | [`polygon`](polygon()), [`convex_polygon`] | by Green's theorem | by Green's theorem |
 //!
-//! A mass, or a density in kg per m², makes [`MassProperties`] of it: they move, join, and have
-//! holes cut. All is done in integers, in fractions off by some `2^-60` of themselves; what a scalar
-//! must hold, a centre, is rounded once, to half a unit. Square metres must fit a [`Ratio`] like all
-//! else: no shape is wider than `2^30` m, and an area below `2^-62` m² is none.
+//! With a mass, or a density in kg per m², a shape becomes [`MassProperties`]. These can be moved and
+//! joined, and holes can be cut out. All arithmetic is in integer fractions with a relative error of some
+//! `2^-60`. Only a centre is stored in a scalar; it is rounded once, to half a unit. Areas in m² are
+//! [`Ratio`]s too: no shape is wider than `2^30` m, and an area below `2^-62` m² counts as zero.
 //!
 //! A gear with 16 teeth and a bore, of steel 10 mm thick, on its axle:
 //!
@@ -26,8 +26,8 @@
 //!     vec2::<I8F24>(x?, y?)
 //! };
 //! let mut outline = [Vec2::ZERO; 64];
-//! for (i, place) in (0..).zip(&mut outline) {
-//!     *place = corner(i)?;
+//! for (i, vertex) in (0..).zip(&mut outline) {
+//!     *vertex = corner(i)?;
 //! }
 //! let steel = dec!(78); // kg per m²
 //! let bore = disc(dec!(0.02))?.with_density(steel)?;
@@ -62,13 +62,21 @@ pub use properties::MassProperties;
 pub use rectangle::rectangle;
 pub use ring::ring;
 
-/// π to `2^-73` of itself, short enough for most products to be exact.
+/// π with a relative error of `2^-73`. It is short enough that most products are exact.
 const PI: Ratio = match Ratio::new(21_053_343_141, 6_701_487_259) {
     Ok(ratio) => ratio,
     Err(_) => Ratio::ZERO,
 };
 
-/// A flat shape of even density, in its own axes.
+/// A flat shape of uniform density, in its own axes.
+///
+/// ```
+/// use fixstep::{dec, mass::rectangle};
+/// let card = rectangle::<f32>(3, 4)?;
+/// assert_eq!(card.area(), dec!(12));
+/// assert_eq!(card.with_mass(12)?.inertia(), dec!(25)); // m (w² + h²) / 12
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape<S> {
     area: Ratio,
@@ -77,7 +85,7 @@ pub struct Shape<S> {
 }
 
 impl<S: Scalar> Shape<S> {
-    /// A shape about the origin. `field` is the length to blame where a square does not fit.
+    /// A shape about the origin. The error names `field`, a length, if a square does not fit.
     fn about_origin(
         (field, value): (&'static str, Ratio),
         area_and_inertia: Option<[Ratio; 2]>,
@@ -106,23 +114,21 @@ impl<S: Scalar> Shape<S> {
         self.centre
     }
 
-    /// Moment of inertia about the centre for each kilogram, m²: the square of the radius of
-    /// gyration.
+    /// Moment of inertia about the centre per mass, m²: the square of the radius of gyration.
     #[must_use]
     pub fn inertia_per_mass(&self) -> Ratio {
         self.inertia_per_mass
     }
 
-    /// The shape with a mass, kg. Refuses one that is not positive, or whose moment of inertia 62
-    /// bits cannot hold.
+    /// The shape with a mass, kg. The mass must be positive, and 62 bits must hold the moment of inertia.
     pub fn with_mass(&self, mass: impl Into<Ratio>) -> Result<MassProperties<S>, Error> {
         let mass = positive("mass", mass.into())?;
         let inertia = product(("mass", mass), self.inertia_per_mass)?;
         MassProperties::new(mass, self.centre, inertia)
     }
 
-    /// The shape of a material, kg per m². Refuses a density that is not positive, a shape without
-    /// area, and what [`with_mass`](Shape::with_mass) refuses.
+    /// The shape with a density, kg per m². The density and the area must be positive. The other errors
+    /// are those of [`with_mass`](Shape::with_mass).
     ///
     /// ```
     /// use fixstep::{dec, mass::rectangle};
@@ -137,7 +143,7 @@ impl<S: Scalar> Shape<S> {
     }
 }
 
-/// `value * by` of positive numbers; `field` is to blame where 62 bits cannot hold it.
+/// `value * by` for positive numbers. The error names `field` if 62 bits cannot hold the product.
 fn product((field, value): (&'static str, Ratio), by: Ratio) -> Result<Ratio, Error> {
     match value.times(by) {
         None => Err(Error::OutOfRange { field, value }),

@@ -1,12 +1,12 @@
-//! An outline in whole numbers: where its vertices are, and the sums that a polygon is made of.
+//! An outline in whole numbers: its vertices, and the sums for the area and inertia of a polygon.
 //!
-//! **Width.** The origin is the middle of the box around the outline, so that nothing is lost far away,
-//! and an outline that is moved, mirrored, turned by a quarter or begun elsewhere gives the same
-//! bits. From there coordinates are whole units of the coarsest power of two that holds them all. If
-//! that takes more than [`BITS`], as it may in floats and in fixed point of 64 bits, they are rounded:
-//! a corner by `2^-41` of the box. That puts the area of a square `2^-39` of itself off, and n times as
-//! much where it is n times as long as wide: below 1e-9 for all n up to 250. In the last sum the
-//! bracket is rounded to what 127 bits leave room for, by at most as much; up to 30 bits not at all.
+//! **Width.** The origin is the middle of the box around the outline, so no digits are lost far away.
+//! An outline that is moved, mirrored, rotated by 90° or started at another vertex gives the same bits.
+//! Coordinates are whole units of the coarsest power of two that holds them all. If they need more than
+//! [`BITS`] they are rounded, as may happen in floats and in 64-bit fixed point. A corner is then off by
+//! `2^-41` of the box. The relative error of a square's area is `2^-39`. It is n times as large if the
+//! outline is n times as long as wide: below 1e-9 for all n up to 250. In the last sum the bracket is
+//! rounded to what 127 bits can hold, by at most as much. Up to 30 bits it is not rounded.
 
 use super::Shape;
 use crate::error::Error;
@@ -29,7 +29,7 @@ pub(super) struct Outline<'a, S> {
     middle: [i128; 2],
     /// Half such a unit times 2 to this power is the unit of coordinates from the middle.
     shift: u32,
-    /// Bits that those take.
+    /// Bits that coordinates need.
     bits: u32,
 }
 
@@ -77,7 +77,7 @@ impl<'a, S: Rational> Outline<'a, S> {
         })
     }
 
-    /// The vertices from the middle of the box: up to `2^40` as soon as the shift is known.
+    /// The vertices relative to the middle of the box: at most `2^40` once `shift` is set.
     fn corners(&self) -> impl DoubleEndedIterator<Item = [i128; 2]> {
         self.vertices.iter().map(|vertex| {
             let [x, y] = self.read(vertex);
@@ -85,8 +85,8 @@ impl<'a, S: Rational> Outline<'a, S> {
         })
     }
 
-    /// C is below `2^82`, the bracket below `6 * 2^80`: the product takes what is left. Sums of an
-    /// outline that crosses itself may wrap; those of others are integrals over the box, below `2^127`.
+    /// C is below `2^82` and the bracket below `6 * 2^80`, so the bracket is rounded to fit the product.
+    /// Sums of an outline that crosses itself may wrap. All others are integrals over the box, below `2^127`.
     pub(super) fn sums(&self) -> Sums {
         let mut sums = Sums {
             dropped: (4 * self.bits).saturating_sub(121),
@@ -119,7 +119,7 @@ impl<'a, S: Rational> Outline<'a, S> {
         }
     }
 
-    /// `None` where 62 bits cannot hold it; the area of `sums` is positive.
+    /// `None` if 62 bits cannot hold it; the area of `sums` is positive.
     fn shape(&self, sums: Sums) -> Option<Shape<S>> {
         let (half, unit) = (self.fine - 1, self.fine - 1 + self.shift as i32);
         let area = sums.area.unsigned_abs();
@@ -141,8 +141,8 @@ impl<'a, S: Rational> Outline<'a, S> {
         })
     }
 
-    /// The first corner that is straight or turns the wrong way, or at which a second turn begins:
-    /// each has one run of edges that go up, or level to the right.
+    /// The first corner that is straight or bends the wrong way, or that begins a second revolution.
+    /// Each revolution has one run of edges that go up, or level to the right.
     pub(super) fn first_bad_corner(&self, left: bool) -> Option<usize> {
         let minus = |a: [i128; 2], b: [i128; 2]| [a[0] - b[0], a[1] - b[1]];
         let goes_up = |edge: [i128; 2]| edge[1] > 0 || edge[1] == 0 && edge[0] > 0;
@@ -171,7 +171,7 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// Those of the outline the way round that gives a positive area.
+    /// The sums for the direction that gives a positive area.
     fn turned_left(self) -> Sums {
         if self.area >= 0 {
             return self;
@@ -185,7 +185,7 @@ impl Sums {
     }
 }
 
-/// The least e with all coordinates below `2^e`; zero where all are zero.
+/// The least e with all coordinates below `2^e`; zero if all are zero.
 fn highest_bit<S: Rational>(vertices: &[Vec2<S>]) -> Result<i32, Error> {
     let mut highest = None;
     for value in vertices.iter().flat_map(|vertex| vertex.array()) {
@@ -212,7 +212,7 @@ fn rounded(value: i128, shift: u32) -> i128 {
     }
 }
 
-/// Once in flash: a core without a long multiply takes hundreds of bytes for it.
+/// Not inlined: on a core without a long multiply each copy takes hundreds of bytes.
 #[inline(never)]
 fn product(a: i128, b: i128) -> i128 {
     a * b

@@ -1,27 +1,27 @@
 //! A polygon, from its vertices.
 //!
 //! ```text
-//! C = x1 y2 - y1 x2                          of each edge, twice the triangle with the origin
+//! C = x1 y2 - y1 x2                          per edge: twice the triangle with the origin
 //! 2 A        = sum(C)
 //! 6 A c      = sum(C (r1 + r2))
 //! 12 I / ρ   = sum(C (r1·r1 + r1·r2 + r2·r2))        about the origin
 //! I / m      = I / ρ / A - |c|²                      about the centre
 //! ```
 //!
-//! Green's theorem: each line integral of a polynomial along an edge, exactly. Clockwise outlines
-//! give all sums the other sign.
+//! By Green's theorem each sum is an exact line integral of a polynomial along the edges. For a
+//! clockwise outline all sums have the other sign.
 //!
-//! All sums are taken in whole numbers, about the middle of the box around the outline.
+//! All sums are in whole numbers, about the middle of the box around the outline.
 
 use super::{Outline, Shape};
 use crate::error::Error;
 use crate::scalar::Rational;
 use crate::vec2::Vec2;
 
-/// A polygon of any outline that does not cross itself, either way round; vertices in m.
+/// A polygon with an outline that does not cross itself, clockwise or counterclockwise. Vertices are in m.
 ///
-/// The outline closes itself. Refuses one without area, and vertices that are not finite. Of an
-/// outline that crosses itself the lobes count with their signs.
+/// The last vertex connects to the first. Vertices must be finite, and the area must not be zero. If an
+/// outline crosses itself, its lobes count with opposite signs.
 ///
 /// ```
 /// use fixstep::{dec, mass::polygon, vec2, Ratio, fixed::types::I16F16};
@@ -36,8 +36,8 @@ pub fn polygon<S: Rational>(vertices: &[Vec2<S>]) -> Result<Shape<S>, Error> {
     outline.measured(outline.sums())
 }
 
-/// A polygon whose corners all turn the same way, none of them straight, once round. Refuses others,
-/// and what [`polygon`] refuses.
+/// A convex polygon: all corners bend the same way, none is straight, and the outline goes round once.
+/// Other outlines are an error. The other errors are those of [`polygon`].
 ///
 /// ```
 /// use fixstep::{mass::convex_polygon, vec2, Error};

@@ -1,4 +1,4 @@
-//! Mass, centre and moment of inertia of a body, and of what is made of such.
+//! Mass, centre of mass and moment of inertia of bodies and of assemblies.
 //!
 //! ```text
 //! M = sum(m)
@@ -6,8 +6,8 @@
 //! I = sum(i + m |r - c|²)         parallel axes: Huygens and Steiner
 //! ```
 //!
-//! A hole is a part whose m and i are taken away. The inertia is about the exact centre, which is
-//! then rounded to half a unit of the scalar; lengths below `2^-62` m count as none.
+//! A hole is a part with its m and i subtracted. The inertia is about the exact centre. The stored centre
+//! is rounded to half a unit of the scalar. Lengths below `2^-62` m count as zero.
 
 use super::{not_negative, positive};
 use crate::body::finite;
@@ -18,7 +18,14 @@ use crate::scalar::Rational;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
-/// What a body is to forces and torques: mass, centre of mass, moment of inertia about it.
+/// Mass, centre of mass, and moment of inertia about that centre.
+///
+/// ```
+/// use fixstep::{MassProperties, dec, vec2};
+/// let wheel = MassProperties::<f32>::new(2, vec2(1, 0)?, dec!(0.5))?;
+/// assert_eq!(wheel.inertia_about(vec2(0, 0)?)?, dec!(2.5)); // 0.5 + 2 * 1²
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties<S> {
     mass: Ratio,
@@ -27,8 +34,8 @@ pub struct MassProperties<S> {
 }
 
 impl<S: Scalar> MassProperties<S> {
-    /// Known from elsewhere: `mass` in kg, `centre` in m, `inertia` about it in kg m². Refuses a
-    /// mass that is not positive, a negative inertia, and a centre that is NaN or infinite.
+    /// From known values: `mass` in kg, `centre` in m, `inertia` about the centre in kg m².
+    /// The mass must be positive, the inertia not negative, and the centre finite.
     pub fn new(
         mass: impl Into<Ratio>,
         centre: Vec2<S>,
@@ -60,7 +67,7 @@ impl<S: Scalar> MassProperties<S> {
         self.inertia
     }
 
-    /// The same, moved by a vector. Refuses one that is not finite or leads out of the range.
+    /// The same body, moved by the vector `position`. The new centre must be finite and in range.
     pub fn at(&self, position: Vec2<S>) -> Result<MassProperties<S>, Error> {
         let (field, centre) = ("position", self.centre + position);
         match centre.is_inside() {
@@ -71,8 +78,7 @@ impl<S: Scalar> MassProperties<S> {
 }
 
 impl<S: Rational> MassProperties<S> {
-    /// Moment of inertia about a point, kg m². Refuses a point that is not finite or too far for 62
-    /// bits.
+    /// Moment of inertia about a point, kg m². The point must be finite and near enough for 62 bits.
     ///
     /// ```
     /// use fixstep::{dec, mass::rectangle, vec2};
@@ -86,8 +92,8 @@ impl<S: Rational> MassProperties<S> {
         about().ok_or(Error::NotFinite { field: "point" })
     }
 
-    /// Of point masses, at rest to one another. Refuses what [`CentreOfMass::new`] refuses, and sums
-    /// that 62 bits cannot hold.
+    /// Point masses that do not move relative to each other. The errors are those of
+    /// [`CentreOfMass::new`], and sums that 62 bits cannot hold.
     pub fn from_points(points: &[PointMass<S>]) -> Result<MassProperties<S>, Error> {
         CentreOfMass::new(points)?;
         let parts = points.iter().map(|point| {
@@ -102,8 +108,8 @@ impl<S: Rational> MassProperties<S> {
         whole(parts).ok_or(Error::NotFinite { field: "points" })
     }
 
-    /// Of parts that are fixed to one another; each is where its [`centre`](Self::centre) is.
-    /// Refuses an empty set, and sums that 62 bits cannot hold.
+    /// Parts that are fixed to each other, each at its [`centre`](Self::centre). There must be at least
+    /// one part, and 62 bits must hold the sums.
     ///
     /// ```
     /// use fixstep::{dec, mass::{disc, rectangle}, vec2, MassProperties};
@@ -121,8 +127,16 @@ impl<S: Rational> MassProperties<S> {
         whole(parts.iter().map(Self::part)).ok_or(Error::NotFinite { field })
     }
 
-    /// What is left where `hole` is cut out, which must lie within. Refuses a hole that takes all
-    /// the mass, or more of it or of the inertia than there is.
+    /// Cuts out `hole`, which must be inside the body. Its mass must be less than that of the body, and the
+    /// remaining inertia must not be negative.
+    ///
+    /// ```
+    /// # use fixstep::{dec, mass::rectangle};
+    /// let plate = rectangle::<f32>(2, 2)?.with_density(3)?; // 12 kg, 8 kg m²
+    /// let hole = rectangle(1, 1)?.with_density(3)?; // 3 kg, 0.5 kg m²
+    /// assert_eq!(plate.without(&hole)?.inertia(), dec!(7.5));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn without(&self, hole: &MassProperties<S>) -> Result<MassProperties<S>, Error> {
         let (field, value) = ("hole", hole.mass);
         let (left, too_far) = (self.mass.less(value), Error::NotFinite { field });
@@ -150,7 +164,7 @@ impl<S: Rational> MassProperties<S> {
     }
 }
 
-/// The same in fractions.
+/// Mass properties as fractions.
 #[derive(Clone, Copy)]
 struct Part {
     mass: Ratio,
@@ -174,7 +188,7 @@ impl Part {
     }
 }
 
-/// All parts together; `None` where 62 bits cannot hold a sum.
+/// All parts together; `None` if 62 bits cannot hold a sum.
 fn whole<S: Rational>(
     parts: impl Iterator<Item = Option<Part>> + Clone,
 ) -> Option<MassProperties<S>> {
@@ -199,7 +213,7 @@ fn whole<S: Rational>(
     })
 }
 
-/// A vector in fractions, each to 62 bits.
+/// A vector as fractions of 62 bits.
 fn place<S: Rational>(vector: Vec2<S>) -> Option<[Ratio; 2]> {
     let component = |value: S| {
         let (mantissa, exponent) = value.binary()?;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! A = w h
-//! I / m = (w² + h²) / 12      ∫ x² dx from -w/2 to w/2, over w, and the same of h
+//! I / m = (w² + h²) / 12      ∫ x² dx from -w/2 to w/2, over w, and the same for h
 //! ```
 
 use super::{Shape, longer, positive};
@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 
-/// A rectangle about the origin; `width` and `height` in m. Refuses one that is not positive.
+/// A rectangle with its centre at the origin. `width` and `height` are in m and must be positive.
 ///
 /// ```
 /// use fixstep::{dec, mass::rectangle};

@@ -1,19 +1,19 @@
-//! A ring: a disc without a smaller one about the same centre.
+//! A ring: a disc with a smaller disc cut out at the same centre.
 //!
 //! ```text
 //! A = π (R² - r²)
 //! I / m = (R⁴ - r⁴) / 2 / (R² - r²) = (R² + r²) / 2
 //! ```
 //!
-//! The last form holds for a hoop too, `r = R`, that has a mass but no area.
+//! The last form also holds for a hoop (`r = R`), which has a mass but no area.
 
 use super::{PI, Shape, not_negative, positive};
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::Scalar;
 
-/// A ring about the origin; radii in m. Refuses an outer one that is not positive, and an inner one
-/// that is negative or larger. Where both are the same it is a hoop.
+/// A ring with its centre at the origin; radii in m. The outer radius must be positive, and the inner one
+/// from zero to the outer. If both are equal it is a hoop, which has no area.
 ///
 /// ```
 /// use fixstep::{dec, mass::ring};

@@ -1,14 +1,14 @@
-//! How many steps a frame is due: elapsed counts of a clock in, whole steps and a rest out.
+//! The number of steps to make per frame: counts of a clock in, whole steps and a remainder out.
 //!
 //! ```text
 //! one count is  a / b  of a step,  a and b without common divisor
-//! rest + counts a = steps b + rest'        0 <= rest' < b
+//! remainder + counts a = steps b + remainder'        0 <= remainder' < b
 //! ```
 //!
-//! All of it in integers, so that after any number of frames the steps are `floor(elapsed / h)`: no
-//! clock drifts against another. A frame that took too long makes no more than `max_steps`; the
-//! rest of its whole steps is dropped and reported, or each frame would take longer than the one
-//! before. Source of the scheme: Fiedler, "Fix Your Timestep!" (Gaffer on Games), who keeps it in floats.
+//! All arithmetic is in integers. After any number of frames the steps are `floor(elapsed / h)`, so two
+//! clocks never drift apart. A frame that took too long makes at most `max_steps` steps. The other whole
+//! steps are dropped and reported; without this limit each frame could take longer than the one before.
+//! Source of the scheme: Fiedler, "Fix Your Timestep!" (Gaffer on Games), which uses floats.
 
 use core::num::NonZero;
 
@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Word, divide_words};
 
-/// Turns the counts of a clock (microseconds, timer ticks, frames of a display) into steps.
+/// Converts counts of a clock (microseconds, timer ticks, display frames) into steps.
 ///
 /// ```
 /// use fixstep::{Accumulator, Step};
@@ -37,24 +37,32 @@ pub struct Accumulator {
     max_steps: u32,
 }
 
-/// What a frame is due.
+/// The steps to make in a frame, and those it drops.
+///
+/// ```
+/// use fixstep::{Accumulator, dec};
+/// let mut clock = Accumulator::new(1000, dec!(0.02), 3)?; // milliseconds, 20 ms a step
+/// let due = clock.advance(95); // four whole steps and 15 ms
+/// assert_eq!((due.steps, due.dropped), (3, 1));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 #[must_use]
 pub struct Due {
     /// Steps to make now.
     pub steps: u32,
-    /// Steps that are never made: time the scene has lost. Zero unless the frame was too long;
-    /// saturates where more than 2^64 are due.
+    /// Steps that are never made; the scene loses their time. Zero unless the frame was too long.
+    /// Saturates if more than 2^64 are due.
     pub dropped: u64,
 }
 
 impl Accumulator {
-    /// For a clock of so many counts per second and steps of `seconds`; a frame makes `max_steps` or
-    /// fewer.
+    /// An accumulator for a clock with `counts_per_second` and steps of `seconds`. A frame makes at most
+    /// `max_steps`.
     ///
-    /// Refuses a clock that stands still, steps of no length, no steps at all, and a clock and a
-    /// step whose common unit is below `2^-62` of the step.
+    /// Returns an error if an argument is zero or negative. The common unit of clock and step must be at
+    /// least `2^-62` of the step.
     pub fn new(
         counts_per_second: u32,
         seconds: impl Into<Ratio>,
@@ -84,7 +92,7 @@ impl Accumulator {
         })
     }
 
-    /// The steps due after `counts` more.
+    /// Adds `counts` and returns the steps that are due.
     #[inline]
     pub fn advance(&mut self, counts: u64) -> Due {
         let (due, rest) = match self.after_a_frame(counts) {
@@ -99,8 +107,8 @@ impl Accumulator {
         }
     }
 
-    /// Whole steps and rest, as long as one word holds them: so with a clock of microseconds at 60 Hz, and
-    /// whatever else has a common unit with the step that is not too short.
+    /// Whole steps and remainder, if one word holds them. It does for a clock of microseconds at 60 Hz,
+    /// and for any clock whose common unit with the step is not too short.
     #[allow(clippy::unnecessary_cast, reason = "a word may be shorter")]
     #[inline]
     fn after_a_frame(&self, counts: u64) -> Option<(u64, u64)> {
@@ -113,7 +121,7 @@ impl Accumulator {
         Some((due as u64, rest as u64))
     }
 
-    /// The same for any number of counts; more steps than 64 bits hold saturate.
+    /// The same for any number of counts. Saturates if 64 bits cannot hold the steps.
     #[cold]
     #[inline(never)]
     fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
@@ -127,27 +135,27 @@ impl Accumulator {
         }
     }
 
-    /// The part of a step that has passed since the last one that was due: from 0 to below 1, exact.
+    /// The part of a step that has passed since the last due step: exact, from 0 to below 1.
     #[must_use]
     pub fn fraction(&self) -> Ratio {
         Ratio::fraction(self.rest, self.per_step)
     }
 
-    /// Forgets the part of a step that has passed: after a pause, or a new scene.
+    /// Discards the part of a step that has passed. Call it after a pause or for a new scene.
     pub fn reset(&mut self) {
         self.rest = 0;
     }
 }
 
-/// `n` times so many steps and a rest, which is at most one step and ends below one.
+/// `n` times the whole steps and the remainder `part`. `part` is at most one step; the result's is less.
 ///
-/// Bit by bit, from the highest: a division of 64 bits is a long routine on a core that has none, for what
-/// its clock meets after minutes, or where it and the step share no large unit.
+/// It works bit by bit, from the highest. A 64-bit division is a long routine on a core without one.
+/// This case is rare: it needs minutes without a frame, or a clock and a step with a small common unit.
 #[inline(never)]
 fn multiplied(mut n: u64, (steps, part): (u64, u64), per_step: u64) -> (u64, u64) {
     let (mut due, mut rest) = (0_u64, 0_u64);
     for _ in 0..u64::BITS {
-        // Below three steps of at most 2^62, as `new` refuses more.
+        // Less than three steps, and `new` limits a step to 2^62.
         (due, rest) = (due.saturating_add(due), 2 * rest);
         if n >> 63 != 0 {
             (due, rest) = (due.saturating_add(steps), rest + part);
@@ -160,7 +168,7 @@ fn multiplied(mut n: u64, (steps, part): (u64, u64), per_step: u64) -> (u64, u64
     (due, rest)
 }
 
-/// Euclid's; of numbers greater than zero.
+/// The greatest common divisor, by Euclid; both numbers are greater than zero.
 fn common_divisor(a: u64, b: u64) -> NonZero<u64> {
     let (mut divisor, mut rest) = (NonZero::new(a).unwrap_or(NonZero::<u64>::MIN), b);
     while let Some(by) = NonZero::new(rest) {
@@ -173,7 +181,7 @@ fn common_divisor(a: u64, b: u64) -> NonZero<u64> {
 mod tests {
     use super::*;
 
-    /// The bit-by-bit way is taken by other counts on other cores: it is the division of the host.
+    /// Which counts take the bit-by-bit path depends on the core. It must equal the host's division.
     #[test]
     fn a_long_time_is_divided_as_a_frame_is() {
         let mut seed = 1_u64;

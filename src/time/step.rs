@@ -1,13 +1,13 @@
 //! A timestep of any rate above 4 Hz, chosen at run time.
 //!
-//! In 32-bit fixed point its `h` is off by at most 9.4e-10 of itself on the mean of two ticks.
+//! In 32-bit fixed point the mean of `h` over two ticks has a relative error of at most 9.4e-10.
 
 use super::TimeStep;
 use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 
-/// A timestep of any length below a quarter second.
+/// A timestep of any length below a quarter second. Use [`DyadicStep`](crate::DyadicStep) for longer steps.
 ///
 /// ```
 /// use fixstep::{dec, Step, TimeStep, fixed::types::I16F16};
@@ -25,8 +25,8 @@ pub struct Step<S: Scalar> {
 }
 
 impl<S: Scalar> Step<S> {
-    /// A step of `1 / rate`, rate in steps per second. Refuses zero and negative rates, rates up
-    /// to 4 Hz (longer steps: [`DyadicStep`]) and those whose length would become zero.
+    /// A step of `1 / rate` seconds. `rate` is in steps per second and must be above 4 Hz.
+    /// It is an error if the length rounds to zero in this scalar.
     #[inline]
     pub fn hz(rate: impl Into<Ratio>) -> Result<Step<S>, Error> {
         let (field, value) = ("rate", rate.into());
@@ -41,7 +41,7 @@ impl<S: Scalar> Step<S> {
         self.seconds
     }
 
-    /// A step of `seconds`. Refuses what [`hz`](Step::hz) refuses.
+    /// A step of `seconds`: above zero and below a quarter second, as in [`hz`](Step::hz).
     #[inline]
     pub fn from_seconds(seconds: impl Into<Ratio>) -> Result<Step<S>, Error> {
         let (field, value) = ("seconds", seconds.into());

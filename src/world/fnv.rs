@@ -1,9 +1,9 @@
-//! The hashes of Fowler, Noll and Vo in their form 1a: the xor first.
+//! The FNV-1a hashes of Fowler, Noll and Vo: xor first, then multiply.
 //!
 //! Source: Fowler, Noll, Vo, Eastlake, Hansen, "The FNV Non-Cryptographic Hash Algorithm" (IETF
 //! draft-eastlake-fnv): offset bases and primes of 32 and 64 bits.
 
-/// 64 bits, of words taken as eight bytes each.
+/// The 64-bit hash of words, eight bytes each.
 pub(crate) struct Fnv64(pub(crate) u64);
 
 impl Fnv64 {
@@ -18,7 +18,7 @@ impl Fnv64 {
     }
 }
 
-/// 32 bits: one multiplication a byte on the smallest core.
+/// The 32-bit hash of bytes: one multiplication per byte on the smallest core.
 pub(crate) struct Fnv32(pub(crate) u32);
 
 impl Fnv32 {

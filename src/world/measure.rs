@@ -1,8 +1,8 @@
 //! Read-outs: momentum, energy and a hash of the state.
 //!
-//! Sums are `f64` in any scalar: they are for tests and reports, no step calls them. A mass is the
-//! inverse of the inverse mass that the body holds, so that conservation is judged by the masses
-//! which the scene really has.
+//! Sums are `f64` for any scalar. They are for tests and reports; no step calls them. A mass here is
+//! the inverse of the stored inverse mass. So conservation is measured with the masses that the
+//! steps use.
 
 use crate::body::Body;
 use crate::force::Force;
@@ -12,8 +12,8 @@ use crate::world::World;
 use crate::world::fnv::Fnv64;
 
 impl<B: Body, const N: usize> World<B, N> {
-    /// Total momentum `sum(m v)`, kg m/s, of velocities as they are seen; bodies that no force moves have none, and
-    /// no energy. That of [`Carried`](crate::Carried) bodies with their remainders is the sum of
+    /// Total momentum `sum(m v)`, kg m/s, from rounded velocities. Kinematic and static bodies count zero,
+    /// here and in the energies. For [`Carried`](crate::Carried) bodies with their remainders add up
     /// [`Carried::momentum`](crate::Carried::momentum).
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
@@ -23,8 +23,8 @@ impl<B: Body, const N: usize> World<B, N> {
             .fold(Vec2::ZERO, |sum, p| sum + p)
     }
 
-    /// Total angular momentum about the point `about` (m), kg m²/s: `sum(m (x - about) × v)`, and what
-    /// bodies have about their own centres.
+    /// Total angular momentum about the point `about` (m), kg m²/s. It is `sum(m (x - about) × v)` plus
+    /// the angular momentum of each body about its own centre.
     #[must_use]
     pub fn angular_momentum(&self, about: Vec2<f64>) -> f64 {
         let of = |body: &B| {
@@ -34,7 +34,7 @@ impl<B: Body, const N: usize> World<B, N> {
         self.bodies().iter().map(of).sum()
     }
 
-    /// Total kinetic energy `sum(m v²/2)`, J, and that of rotations.
+    /// Total kinetic energy, J: `sum(m v²/2)` plus the energy of rotation.
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         let of = |body: &B| {
@@ -47,14 +47,16 @@ impl<B: Body, const N: usize> World<B, N> {
         self.bodies().iter().map(of).sum()
     }
 
-    /// Total potential energy in `forces`, J.
+    /// Total potential energy of `forces`, J.
     #[must_use]
     pub fn potential_energy(&self, forces: &impl Force<B>) -> f64 {
         forces.potential(self.ids(), self.bodies())
     }
 
-    /// FNV-1a over the tick, the ids and the exact bits of every position, velocity, angle and spin: equal
-    /// states have equal hashes on every target. Masses, which no step changes, are left out.
+    /// A hash of the state: equal states have equal hashes on every target.
+    ///
+    /// It is FNV-1a over the tick, the ids and the exact bits of every position, velocity, angle and spin.
+    /// Masses are not part of it, because no step changes them.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv64::new();
@@ -67,7 +69,7 @@ impl<B: Body, const N: usize> World<B, N> {
     }
 }
 
-/// Momentum of a body, kg m/s; none of one that no force moves.
+/// Momentum of a body, kg m/s; zero for a kinematic or static one.
 fn momentum<B: Body>(body: &B) -> Vec2<f64> {
     if body.has_infinite_mass() {
         return Vec2::ZERO;

@@ -1,7 +1,18 @@
-//! The arrays, and one default way through the stages.
+//! The world: arrays of bodies, and a step that runs the stages of a method.
 //!
-//! A world holds bodies, their ids and the tick: nothing else, so that a clone is a snapshot.
-//! Forces, step and method stay outside; a scene hands them in.
+//! A world holds bodies, their ids and the tick, and nothing else. So a clone is a snapshot.
+//! Forces, timestep and method stay outside; you pass them to each step.
+//!
+//! ```
+//! use fixstep::{Point, SemiImplicitEuler, Step, World, vec2};
+//! let mut world = World::<Point<f32>, 8>::new();
+//! let id = world.add(Point::new(vec2(0, 0)?, vec2(6, 0)?, 1)?)?;
+//! for _ in 0..60 {
+//!     world.step(&mut SemiImplicitEuler, &mut (), &Step::hz(60)?); // no forces
+//! }
+//! assert!((world.get(id)?.position().x - 6.0).abs() < 1e-4); // 1 s at 6 m/s
+//! # Ok::<(), fixstep::Error>(())
+//! ```
 
 mod bodies;
 mod fnv;
@@ -17,14 +28,14 @@ use crate::vec2::Vec2;
 
 /// Up to `N` bodies, in the order in which they were added.
 ///
-/// `new` is `const`: a world can live in a `static`.
+/// `new` is `const`, so a world can be a `static`.
 ///
 /// ```
 /// use fixstep::{vec2, Point, Stale, World, fixed::types::I16F16};
 /// let mut world = World::<Point<I16F16>, 1>::new();
 /// let ball = Point::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
 /// let id = world.add(ball).unwrap();
-/// assert_eq!(world.add(ball).unwrap_err().body, ball); // full: the body comes back
+/// assert_eq!(world.add(ball).unwrap_err().body, ball); // full: the error has the body
 /// assert_eq!(world.remove(id), Ok(ball));
 /// assert_eq!(world.get(id), Err(Stale(id)));
 /// # Ok::<(), fixstep::Error>(())
@@ -64,7 +75,18 @@ impl<B: Body, const N: usize> World<B, N> {
         self.tick
     }
 
-    /// Makes one step.
+    /// Makes one step: `method` integrates all bodies with `forces` over `step`.
+    ///
+    /// ```
+    /// use fixstep::{DyadicStep, GravityY, Point, Verlet, World, vec2};
+    /// let mut world = World::<Point<f32>, 1>::new();
+    /// let id = world.add(Point::new(vec2(0, 9)?, vec2(0, 0)?, 1)?)?;
+    /// let step = DyadicStep::<f32, 1, 1>::new()?; // 1/2 s
+    /// world.step(&mut Verlet, &mut GravityY::new(-8)?, &step);
+    /// let ball = world.get(id)?; // h g = -4 m/s, h² g / 2 = -1 m
+    /// assert_eq!((ball.velocity(), ball.position()), (vec2(0, -4)?, vec2(0, 8)?));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     #[inline]
     pub fn step<M, F, H>(&mut self, method: &mut M, forces: &mut F, step: &H)
     where
@@ -73,17 +95,18 @@ impl<B: Body, const N: usize> World<B, N> {
         H: TimeStep<B::S>,
     {
         method.step(&self.ids, &mut self.bodies, forces, step, self.tick);
-        // Comes round after 2^64 steps: at 1 kHz, 600 million years.
+        // Wraps after 2^64 steps: at 1 kHz, 600 million years.
         self.tick = self.tick.wrapping_add(1);
     }
 
-    /// All that a step changes, and the names of the bodies.
+    /// All that a step changes, and the ids of the bodies.
     pub(crate) fn state(&mut self) -> (&[BodyId], &mut heapless::Vec<B, N, u32>, &mut u64) {
         (&self.ids, &mut self.bodies, &mut self.tick)
     }
 
-    /// Where to draw each body at a part of the step that led from `before` to here, by the formula
-    /// of `method`. A body that was not there before is drawn where it is.
+    /// The position at which to draw each body between two steps, by the formula of `method`.
+    ///
+    /// `before` is the world one step earlier. A body that it does not have is at its present position.
     ///
     /// ```
     /// use fixstep::{dec, vec2, Between, DyadicStep, GravityY, Point, Verlet, World};
@@ -110,17 +133,27 @@ impl<B: Body, const N: usize> World<B, N> {
         })
     }
 
-    /// The time since tick 0, if every step was a `step`.
+    /// The time since tick 0, if every step was `step`.
     pub fn time(&self, step: &impl TimeStep<B::S>) -> Time {
         Now::start(step, self.tick).time()
     }
 
-    /// The bodies that stand at an end of the range, or are NaN or infinite, now.
+    /// The bodies that are now at an end of the range, or NaN or infinite.
     ///
-    /// It looks at the state as it is, so look after every step that matters: a saturated spring may
-    /// throw its body back. An impulse saturates too, which shows only in where the body goes: what is
-    /// unstable (explicit drag, `Rk4`) may swing inside the range for ever. A
-    /// [`RangeChecked`](crate::RangeChecked) body remembers each sum that did reach the end.
+    /// It tests the present state, so call it after every step that matters: a saturated spring may
+    /// throw its body back inside. An impulse saturates too, and only the motion shows it. An unstable
+    /// scene (explicit drag, `Rk4`) may oscillate inside the range for ever. A
+    /// [`RangeChecked`](crate::RangeChecked) body remembers each sum that reached the end.
+    ///
+    /// ```
+    /// # use fixstep::{Body, Point, Vec2, World};
+    /// let mut world = World::<Point<f32>, 1>::new();
+    /// let id = world.add(Point::new(Vec2::ZERO, Vec2::ZERO, 1)?)?;
+    /// assert_eq!(world.out_of_range().next(), None);
+    /// world.get_mut(id)?.kick(Vec2::new(f32::INFINITY, 0.0));
+    /// assert_eq!(world.out_of_range().next(), Some(id));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn out_of_range(&self) -> impl Iterator<Item = BodyId> {
         self.iter()
             .filter(|(_, body)| !body.is_inside())

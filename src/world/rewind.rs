@@ -1,20 +1,31 @@
-//! A world that goes back: [`World::step_back`] undoes a step, to the bit.
+//! Undo of steps: [`World::step_back`] undoes the last step, to the bit.
 //!
-//! | what breaks it | how it is refused |
+//! | what cannot be undone | what happens |
 //! |---|---|
 //! | sums that round: `f32`, `f64` | does not compile |
 //! | forces that read velocities: drags, functions without [`PositionOnly`](crate::PositionOnly) | does not compile |
-//! | a [`Spring`](crate::Spring), [`Attached`](crate::rigid::torque::Attached) or not, or [`Anchor`](crate::Anchor) with damping | [`RewindError::Damped`] |
-//! | methods that are no mirror image of one: [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration), [`Rk4`](crate::Rk4) | does not compile |
-//! | bodies whose remainders a turn would not lead back: [`Carried`](crate::Carried) | does not compile |
-//! | saturation, at any time | a plain point does not compile, [`RangeChecked`] says [`RewindError::Saturated`] |
+//! | damping in a [`Spring`](crate::Spring) (also [`Attached`](crate::rigid::torque::Attached)) or an [`Anchor`](crate::Anchor) | [`RewindError::Damped`] |
+//! | methods that are not symmetric in time: [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration), [`Rk4`](crate::Rk4) | does not compile |
+//! | remainders of a [`Carried`](crate::Carried) body | does not compile |
+//! | saturation, at any time | a plain point does not compile, [`RangeChecked`] returns [`RewindError::Saturated`] |
 //!
-//! The scene hands in the method, the step and the forces that the steps were made with, and undoes by
-//! hand what it has done by hand: an impulse by the opposite one, at the tick at which it was given.
-//! Bodies that were added or removed since stay as they are; a clone of the world undoes that.
+//! Pass the same method, timestep and forces as in the step. Undo your own changes yourself: apply the
+//! opposite impulse at the same tick. Bodies added or removed since then stay added or removed; only a
+//! clone of the world undoes that.
 //!
-//! It works in a copy of the bodies, so that a refusal changes nothing. The module
-//! [`integrate`](crate::integrate) says why it leads back, and the source.
+//! It works on a copy of the bodies, so an error changes nothing. The module
+//! [`integrate`](crate::integrate) has the proof and the source.
+//!
+//! ```
+//! use fixstep::{GravityY, Point, RangeChecked, Step, Verlet, World, fixed::types::I16F16, vec2};
+//! let mut world = World::<RangeChecked<Point<I16F16>>, 1>::new();
+//! let ball = RangeChecked::new(Point::new(vec2(0, 2)?, vec2(3, 0)?, 1)?);
+//! let id = world.add(ball)?;
+//! world.step(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(60)?);
+//! world.step_back(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(60)?).unwrap();
+//! assert_eq!((world.tick(), world.get(id)?), (0, &ball));
+//! # Ok::<(), fixstep::Error>(())
+//! ```
 
 use core::fmt;
 
@@ -25,21 +36,29 @@ use crate::integrate::Rewinds;
 use crate::time::TimeStep;
 use crate::world::World;
 
-/// Why a step was not undone. The world is as it was.
+/// Why a step was not undone. The world is unchanged.
+///
+/// ```
+/// use fixstep::{GravityY, Point, RangeChecked, RewindError, Step, Verlet, World, fixed::types::I16F16};
+/// let mut world = World::<RangeChecked<Point<I16F16>>, 1>::new();
+/// let result = world.step_back(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(60)?);
+/// assert_eq!(result, Err(RewindError::AtStart));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RewindError {
     /// The world is at tick 0.
     AtStart,
-    /// A sum of this body has saturated since it is watched, or would on the way back, where forces in
-    /// the same order add up from the other end.
+    /// A sum of this body has saturated since it is checked, or would saturate in the undo. The undo
+    /// adds the forces in the same order, but starts from the later velocity.
     Saturated {
-        /// Its name.
+        /// Its id.
         body: BodyId,
     },
-    /// A force read velocities in the step that was to be undone.
+    /// A force with damping was part of the step; it reads velocities.
     Damped {
-        /// The name of its type.
+        /// The name of the force's type.
         force: &'static str,
     },
 }
@@ -47,16 +66,15 @@ pub enum RewindError {
 impl fmt::Display for RewindError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::AtStart => f.write_str("a world at tick 0 has no step to undo"),
+            Self::AtStart => {
+                f.write_str("tick 0 is out of range: a step can be undone from tick 1")
+            }
             Self::Saturated { body } => {
                 let serial = body.serial();
-                write!(
-                    f,
-                    "body {serial} left the range: its steps cannot be undone"
-                )
+                write!(f, "body {serial} has saturated: its steps cannot be undone")
             }
             Self::Damped { force } => {
-                write!(f, "{force} has damping: its steps cannot be undone")
+                write!(f, "force {force} has damping: its steps cannot be undone")
             }
         }
     }
@@ -65,10 +83,10 @@ impl fmt::Display for RewindError {
 impl core::error::Error for RewindError {}
 
 impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
-    /// Undoes the last step: positions, velocities and tick are what they were before it, to the bit.
-    /// Takes the method, the forces and the step that it was made with.
+    /// Undoes the last step: positions, velocities and tick become what they were before, to the bit.
+    /// Pass the same method, forces and timestep as in the step.
     ///
-    /// Refuses at tick 0, where a body is [marked](RangeChecked::was_outside), and where a force has damping.
+    /// It is an error at tick 0, if a body is [marked](RangeChecked::was_outside) and if a force has damping.
     ///
     /// ```
     /// use fixstep::{dec, vec2, GravityY, Point, Step, Verlet, RangeChecked, World, fixed::types::I16F16};
@@ -86,7 +104,7 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
     /// # Ok::<(), fixstep::Error>(())
     /// ```
     ///
-    /// Types that cannot go back do not compile. This goes back:
+    /// Types whose steps cannot be undone do not compile. This compiles:
     ///
     /// ```
     /// # use fixstep::{*, fixed::types::I16F16};
@@ -100,7 +118,7 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// with drag it does not,
+    /// Drag does not compile:
     ///
     /// ```compile_fail,E0277
     /// # use fixstep::{*, fixed::types::I16F16};
@@ -114,7 +132,7 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// nor in floats,
+    /// Floats do not compile:
     ///
     /// ```compile_fail,E0277
     /// # use fixstep::{*, fixed::types::I16F16};
@@ -128,7 +146,7 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// nor by another method,
+    /// A method that is not symmetric in time does not compile:
     ///
     /// ```compile_fail,E0277
     /// # use fixstep::{*, fixed::types::I16F16};
@@ -142,7 +160,7 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
     /// # Ok::<(), Error>(())
     /// ```
     ///
-    /// nor with a body that keeps no books.
+    /// A body that does not record saturation does not compile:
     ///
     /// ```compile_fail,E0599
     /// # use fixstep::{*, fixed::types::I16F16};
@@ -175,14 +193,14 @@ impl<B: Body, const N: usize> World<RangeChecked<B>, N> {
         }
         let mut back = bodies.clone();
         method.step_back(ids, &mut back, forces, step, tick);
-        // Marks stay, so this finds those of the way out too.
+        // Marks stay, so this also finds those from the steps forward.
         inside(ids, &back)?;
         (*bodies, *now) = (back, tick);
         Ok(())
     }
 }
 
-/// Names the first body that is marked.
+/// An error with the first body that is marked.
 fn inside<B: Body>(ids: &[BodyId], bodies: &[RangeChecked<B>]) -> Result<(), RewindError> {
     let marked = ids.iter().zip(bodies).find(|(_, body)| body.was_outside());
     marked.map_or(Ok(()), |(&body, _)| Err(RewindError::Saturated { body }))

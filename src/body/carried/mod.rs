@@ -1,4 +1,4 @@
-//! A body that keeps what its roundings leave over.
+//! A *carried* body: it keeps what rounding loses.
 
 mod verbs;
 
@@ -8,22 +8,24 @@ use crate::ratio::Ratio;
 use crate::scalar::Carry;
 use crate::vec2::Vec2;
 
-/// A point with mass that adds up what every drift and kick rounds away: 32 bytes in a 32-bit scalar,
-/// where [`Point`] has 20.
+/// A point with mass that is *carried*: it keeps what every drift and kick loses by rounding.
+///
+/// It has 32 bytes in a 32-bit scalar; a [`Point`] has 20. Use it for long runs in fixed point:
+///
+/// * Motion without forces is exact for ever at a dyadic rate. At 60 Hz it is exact to the last digit of `h`.
+/// * With drag a body comes to rest at the right position.
+/// * Impulses between bodies keep the total of [`momentum`](Carried::momentum) constant to the bit. That
+///   holds up to `2^15` kg; a heavier body rounds an impulse to its own unit.
 ///
 /// | kept | not kept |
 /// |---|---|
-/// | drifts of every method, and [`ExactSpring`](crate::ExactSpring) | what a pair sees of the other: its rounded state |
+/// | drifts of every method, and [`ExactSpring`](crate::ExactSpring) | a pair force reads the rounded state of the other body |
 /// | kicks of gravity, drags, anchors, functions, pulls | each k of `Rk4`: a force below a quarter unit of velocity a step does nothing there |
-/// | pushes: in units of momentum | `Pull`, and any force under `Rk4`: kicks, by which momentum walks |
+/// | impulses: in units of momentum | `Pull`, and any force with `Rk4`: these are kicks, and the total momentum does a random walk |
 ///
-/// Use it where a run is long: in fixed point at a dyadic rate a cruise is exact for ever, at 60 Hz to the last digit of
-/// `h`; a body under drag comes to rest where it should; and the momentum of bodies that push each other, counted with
-/// remainders by [`momentum`](Carried::momentum), is constant to the bit (up to `2^15` kg; a heavier body rounds an
-/// impulse to its own unit). All but an exact spring see positions and velocities rounded, as a [`Point`] has them.
-///
-/// Positions are rounded for them away from zero where two are equally near: at a dyadic rate a scene that
-/// is shifted over the origin is the same but for such ties.
+/// Only an exact spring reads the remainders. All other forces read positions and velocities rounded, as
+/// those of a [`Point`]. A position half-way between two values rounds away from zero for them. At a
+/// dyadic rate a scene that is shifted over the origin is the same except for such ties.
 ///
 /// ```
 /// use fixstep::{dec, vec2, Carried, SemiImplicitEuler, Step, World, fixed::types::I16F16};
@@ -32,7 +34,7 @@ use crate::vec2::Vec2;
 /// for _ in 0..60_000 {
 ///     world.step(&mut SemiImplicitEuler, &mut (), &Step::hz(60)?);
 /// }
-/// // A speed of 66 units: a point would drift at 60 of them.
+/// // The speed is 66 units of 1/65536 m/s; a `Point` would move at 60 units.
 /// let exact = 66.0 / 65536.0 * 1000.0;
 /// assert!((world.get(id)?.position().x.to_num::<f64>() - exact).abs() < 1e-5);
 /// # Ok::<(), fixstep::Error>(())
@@ -46,8 +48,8 @@ pub struct Carried<S: Carry> {
 }
 
 impl<S: Carry> Carried<S> {
-    /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg). Refuses what
-    /// [`Point::new`] refuses.
+    /// A point at `position` (m) with `velocity` (m/s) and `mass` (kg). The errors are those of
+    /// [`Point::new`].
     #[inline]
     pub fn new(
         position: Vec2<S>,
@@ -57,7 +59,7 @@ impl<S: Carry> Carried<S> {
         Ok(Point::new(position, velocity, mass)?.into())
     }
 
-    /// Position, m, rounded.
+    /// Rounded position, m.
     #[inline]
     #[must_use]
     pub fn position(&self) -> Vec2<S> {
@@ -65,32 +67,32 @@ impl<S: Carry> Carried<S> {
         Vec2::new(S::seen(x), S::seen(y))
     }
 
-    /// Velocity, m/s, rounded.
+    /// Rounded velocity, m/s.
     #[inline]
     #[must_use]
     pub const fn velocity(&self) -> Vec2<S> {
         self.velocity
     }
 
-    /// Momentum with its remainder, kg m/s; for reports. Exact in fixed point, so that sums of it can be
-    /// compared to the bit.
+    /// Momentum with its remainder, kg m/s; for reports. It is exact in fixed point, so that sums can
+    /// be compared to the bit.
     #[must_use]
     pub fn momentum(&self) -> Vec2<f64> {
         let [x, y] = self.kept().map(|kept| S::momentum(kept, self.inv_mass));
         Vec2::new(x, y)
     }
 
-    /// Its position with what is left over, part by part.
+    /// Its position with remainders, per axis.
     pub(crate) const fn fine_position(&self) -> [S::FinePosition; 2] {
         self.position
     }
 
-    /// What is left over of its velocity.
+    /// The remainders of its velocity.
     pub(crate) const fn remainder(&self) -> [S::Remainder; 2] {
         self.remainder
     }
 
-    /// From a state that was one before, as [`Point::from_parts`].
+    /// From a saved state, like [`Point::from_parts`].
     pub(crate) fn from_parts(
         position: [S::FinePosition; 2],
         velocity: Vec2<S>,
@@ -105,26 +107,42 @@ impl<S: Carry> Carried<S> {
         })
     }
 
-    /// The same with another inverse mass, which nothing checks.
+    /// The same body with another inverse mass, unchecked.
     pub(crate) const fn with_inv_mass(self, inv_mass: S::InvMass) -> Self {
         Carried { inv_mass, ..self }
     }
 
-    /// Puts the point elsewhere; its velocity stays. Refuses NaN and infinity.
+    /// Sets the position and keeps the velocity. NaN and infinity are errors.
+    ///
+    /// ```
+    /// # use fixstep::{Carried, vec2};
+    /// let mut ball = Carried::<f32>::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+    /// ball.teleport(vec2(5, 5)?)?;
+    /// assert_eq!((ball.position(), ball.velocity()), (vec2(5, 5)?, vec2(3, 0)?));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn teleport(&mut self, position: Vec2<S>) -> Result<(), Error> {
         super::finite("position", position)?;
         self.position = position.array().map(S::fine_position);
         Ok(())
     }
 
-    /// Gives the point another velocity. Refuses NaN and infinity.
+    /// Sets the velocity and keeps the position. NaN and infinity are errors.
+    ///
+    /// ```
+    /// # use fixstep::{Carried, vec2};
+    /// let mut ball = Carried::<f32>::new(vec2(0, 10)?, vec2(3, 0)?, 1)?;
+    /// ball.set_velocity(vec2(0, 4)?)?;
+    /// assert_eq!((ball.position(), ball.velocity()), (vec2(0, 10)?, vec2(0, 4)?));
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn set_velocity(&mut self, velocity: Vec2<S>) -> Result<(), Error> {
         super::finite("velocity", velocity)?;
         self.set([(velocity.x, S::NO_REMAINDER), (velocity.y, S::NO_REMAINDER)]);
         Ok(())
     }
 
-    /// Both parts of the velocity with their remainders.
+    /// Both components of the velocity with their remainders.
     #[inline]
     fn kept(&self) -> [(S, S::Remainder); 2] {
         let [remainder_x, remainder_y] = self.remainder;
@@ -134,7 +152,7 @@ impl<S: Carry> Carried<S> {
         ]
     }
 
-    /// Both parts of how far it is from a point, with their remainders.
+    /// Both components of `position - from`, with their remainders.
     #[inline]
     fn beyond(&self, from: Vec2<S>) -> [(S, S::Remainder); 2] {
         let [x, y] = self.position;
@@ -148,7 +166,7 @@ impl<S: Carry> Carried<S> {
     }
 }
 
-/// With nothing left over yet.
+/// With remainders of zero.
 impl<S: Carry> From<Point<S>> for Carried<S> {
     #[inline]
     fn from(point: Point<S>) -> Carried<S> {

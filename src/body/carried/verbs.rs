@@ -1,4 +1,4 @@
-//! What the stages ask of a body, by one that keeps its remainders.
+//! `Body` for a carried point: every method keeps its remainders.
 
 use super::Carried;
 use crate::body::{Body, NoSpin};

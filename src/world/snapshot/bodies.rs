@@ -1,4 +1,4 @@
-//! The state of the bodies of the crate, as a snapshot holds it; `rigid/saved.rs` has that of bodies that turn.
+//! The saved state of points. `rigid/saved.rs` has that of rigid bodies.
 //!
 //! ```text
 //! Point     x y            u v         1/m

@@ -1,6 +1,6 @@
 //! Little-endian words at the front of a slice.
 
-/// Little-endian words at the front of bytes that were counted before.
+/// Writes little-endian words to the front of a slice whose length was checked before.
 pub(super) struct Writer<'a>(pub(super) &'a mut [u8]);
 
 impl Writer<'_> {
@@ -16,6 +16,7 @@ impl Writer<'_> {
     }
 }
 
+/// Reads little-endian words from the front of a slice.
 pub(super) struct Reader<'a>(pub(super) &'a [u8]);
 
 impl Reader<'_> {

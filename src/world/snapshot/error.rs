@@ -4,35 +4,43 @@ use core::fmt;
 
 use super::VERSION;
 
-/// Why bytes were not written or not read. Nothing is changed by the call that returns it.
+/// Why bytes were not written or not read. The call that returns it changes nothing.
+///
+/// ```
+/// use fixstep::{Point, SnapshotError, World};
+/// let result = World::<Point<f32>, 2>::load(&[0; 40]);
+/// assert_eq!(result.unwrap_err(), SnapshotError::NotASnapshot);
+/// let result = World::<Point<f32>, 2>::new().save(&mut [0; 8]);
+/// assert_eq!(result, Err(SnapshotError::Length { needed: 40, given: 8 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SnapshotError {
-    /// There are fewer or more bytes than the snapshot has.
+    /// The slice has fewer or more bytes than the snapshot.
     Length {
-        /// Bytes that it has, as far as is known.
+        /// Bytes of the snapshot, as far as known.
         needed: usize,
-        /// Bytes there are.
+        /// Bytes of the slice.
         given: usize,
     },
-    /// The bytes do not begin as a snapshot does.
+    /// The bytes do not begin with `fixs`.
     NotASnapshot,
-    /// It is of another version of the format.
+    /// The snapshot has another version of the format.
     Version(u16),
-    /// Bytes were changed.
+    /// The checksum is wrong: bytes were changed.
     Checksum,
-    /// It holds another kind of body, or one whose state takes another number of bytes.
+    /// The snapshot has another kind of body, or one with another number of bytes.
     Kind(u16),
-    /// It holds another number type.
+    /// The snapshot has another number type.
     Scalar(u32),
-    /// It holds more bodies than the world can.
+    /// The snapshot has more bodies than the world can hold.
     Full {
-        /// Bodies that it holds.
+        /// Bodies in the snapshot.
         bodies: u32,
-        /// Bodies that the world holds.
+        /// Bodies that the world can hold.
         capacity: usize,
     },
-    /// No world has this state: ids that do not rise, a mass, an inertia or a remainder that is none.
+    /// The state is invalid: ids do not rise, or a mass, an inertia or a remainder is not allowed.
     State,
 }
 
@@ -40,24 +48,34 @@ impl fmt::Display for SnapshotError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length { needed, given } => {
-                write!(f, "a snapshot of {needed} bytes does not fit {given}")
+                write!(
+                    f,
+                    "length {given} bytes is out of range: the snapshot has {needed} bytes"
+                )
             }
-            Self::NotASnapshot => f.write_str("these bytes are no snapshot"),
+            Self::NotASnapshot => {
+                f.write_str("bytes 0 to 3 are not \"fixs\": this is not a snapshot")
+            }
             Self::Version(version) => {
-                write!(f, "snapshot has version {version}, this reads {VERSION}")
+                write!(
+                    f,
+                    "version {version} is out of range: only {VERSION} is allowed"
+                )
             }
-            Self::Checksum => f.write_str("snapshot was damaged: its checksum is wrong"),
-            Self::Kind(kind) => write!(f, "snapshot has bodies of another kind: {kind}"),
+            Self::Checksum => f.write_str("checksum is wrong: bytes of the snapshot were changed"),
+            Self::Kind(kind) => write!(f, "kind of body {kind:#06x} does not match the world"),
             Self::Scalar(format) => {
-                write!(f, "snapshot has another number type: {format:#010x}")
+                write!(f, "number type {format:#010x} does not match the world")
             }
             Self::Full { bodies, capacity } => {
                 write!(
                     f,
-                    "snapshot has {bodies} bodies, the world holds {capacity}"
+                    "number of bodies {bodies} is out of range: at most {capacity}"
                 )
             }
-            Self::State => f.write_str("snapshot has a state that no world can have"),
+            Self::State => f.write_str(
+                "state is invalid: an id, a mass, an inertia or a remainder is not allowed",
+            ),
         }
     }
 }

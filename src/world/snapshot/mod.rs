@@ -1,4 +1,11 @@
-//! A world as bytes, and back: for a save file, a rollback over a wire, a crash dump.
+//! Saves a world as bytes and loads it: for a save file, rollback over a network, a crash dump.
+//!
+//! ```
+//! use fixstep::{Point, World};
+//! let mut bytes = [0; 40];
+//! World::<Point<f32>, 4>::new().save(&mut bytes).unwrap(); // an empty world is a header
+//! assert!(World::<Point<f32>, 4>::load(&bytes).unwrap().is_empty());
+//! ```
 //!
 //! ```text
 //!  0  4  "fixs"          16  4  number of bodies
@@ -8,19 +15,21 @@
 //! 12  4  bytes a body    40  .  id and state of each body, in order
 //! ```
 //!
-//! Little endian on every target. With its id a body takes, in bytes:
+//! The bytes are little endian on every target. A body with its id takes, in bytes:
 //!
-//! | | [`Point`](crate::Point) | [`Carried`](crate::Carried) | [`Rigid`](crate::Rigid) of a point | of one that carries |
+//! | | [`Point`](crate::Point) | [`Carried`](crate::Carried) | [`Rigid`](crate::Rigid) point | `Rigid` carried point |
 //! |---|---|---|---|---|
 //! | 32-bit fixed point | 24 | 36 | 38 | 56 |
 //! | `f32` | 24 | 36 | 37 | 55 |
 //!
-//! and one more if it is [`RangeChecked`](crate::RangeChecked). The world that is read continues with the same bits, on any target that
-//! makes the same bits. Forces, method and step are no part of it: the scene makes them as it did before, for the ids it finds
-//! in [`World::ids`]. Within one program a clone of the world does the same for less.
+//! A *carried* point keeps what rounding loses. A [`RangeChecked`](crate::RangeChecked) body takes one byte more.
 //!
-//! Nothing is read from bytes of which one was changed: a byte enters the sum by steps that can be
-//! undone, so no two inputs that differ in one byte have the same.
+//! The loaded world continues with the same bits, on any target that computes the same bits. Forces,
+//! method and timestep are not saved: make them again, with the ids in [`World::ids`]. Within one program
+//! a clone of the world does the same at less cost.
+//!
+//! A snapshot with one changed byte is always an error. Every byte enters the checksum by an
+//! invertible step, so two inputs that differ in one byte have different checksums.
 
 mod bodies;
 mod bytes;
@@ -37,46 +46,68 @@ pub use error::SnapshotError;
 use crate::world::fnv::Fnv32;
 use bytes::{Reader, Writer};
 
-/// The format that is written, and the only one that is read.
+/// The version of the format that is written, and the only one that is read.
+///
+/// ```
+/// use fixstep::{Point, World, world::snapshot::VERSION};
+/// let mut bytes = [0; 40];
+/// World::<Point<f32>, 0>::new().save(&mut bytes).unwrap();
+/// assert_eq!(bytes[4..6], VERSION.to_le_bytes());
+/// ```
 pub const VERSION: u16 = 1;
 
 /// Bytes before the first body.
+///
+/// ```
+/// use fixstep::{Point, World, world::snapshot::HEADER};
+/// assert_eq!(World::<Point<f32>, 8>::SNAPSHOT, HEADER + 8 * 24);
+/// ```
 pub const HEADER: usize = 40;
 
 const MAGIC: [u8; 4] = *b"fixs";
-/// Where the checksum stands.
+/// The bytes of the checksum.
 const SUM: core::ops::Range<usize> = 36..40;
 /// Bytes of an id.
 const ID: usize = 4;
-/// Stands for an id after the last one.
+/// The next id if all ids are used.
 const NO_ID: u64 = 1 << 32;
 
 /// A body that a snapshot can hold.
+///
+/// ```
+/// use fixstep::{Point, Saved, vec2};
+/// let ball = Point::<f32>::new(vec2(1, 2)?, vec2(3, 4)?, 2)?;
+/// let mut words = Vec::new();
+/// ball.save(&mut |word, bytes| words.push((word, bytes)));
+/// assert_eq!(words.iter().map(|&(_, bytes)| bytes).sum::<usize>(), Point::<f32>::BYTES);
+/// let mut words = words.into_iter();
+/// assert_eq!(Point::load(&mut |_| words.next().unwrap().0), Some(ball));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 pub trait Saved: Body<S: Stored> {
-    /// Tells kinds of bodies apart. Yours starts at `0x8000` and ends below `0xC000`: a
-    /// [`RangeChecked`](crate::RangeChecked) body sets the bit `0x4000`. A [`Rigid`](crate::Rigid) body has that of its
-    /// centre and two more.
+    /// The number of this kind of body. Use a number from `0x8000` to below `0xC000` for your own.
+    ///
+    /// A [`RangeChecked`](crate::RangeChecked) body sets the bit `0x4000`. A [`Rigid`](crate::Rigid) body
+    /// has the number of its centre plus two.
     const KIND: u16;
 
-    /// Bytes of its state: as many as `save` hands out and `load` takes.
+    /// Bytes of its state: as many as `save` writes and `load` reads.
     const BYTES: usize;
 
-    /// Hands its state to `write`, which takes the lowest bytes of a word and their number, 8 at
-    /// most.
+    /// Passes its state to `write`, as words with the number of their lowest bytes to keep, at most 8.
     fn save(&self, write: &mut impl FnMut(u64, usize));
 
-    /// The body of the state that `read` gives, in the order in which it was saved; `None` where no
-    /// body has it.
+    /// Makes the body from the words of `read`, in the order of `save`. `None` if the state is invalid.
     #[must_use]
     fn load(read: &mut impl FnMut(usize) -> u64) -> Option<Self>;
 }
 
 impl<B: Saved, const N: usize> World<B, N> {
-    /// Bytes of a snapshot of a full world.
+    /// Bytes of the snapshot of a full world.
     pub const SNAPSHOT: usize = HEADER + N * (ID + B::BYTES);
 
-    /// Writes the world to the front of `bytes` and returns how many it took: 40, and 24 for each
-    /// [`Point`](crate::Point) of a 32-bit scalar. Refuses a slice that is too short.
+    /// Writes the world to the front of `bytes` and returns the number of bytes written: 40, and 24 for
+    /// each [`Point`](crate::Point) of a 32-bit scalar. A slice that is too short is an error.
     ///
     /// ```
     /// use fixstep::{vec2, Point, World, fixed::types::I16F16};
@@ -114,8 +145,19 @@ impl<B: Saved, const N: usize> World<B, N> {
         Ok(needed)
     }
 
-    /// The world that [`save`](World::save) wrote. Refuses bytes of another version, number type,
-    /// kind of body or length, changed bytes, and more bodies than there is room for.
+    /// Loads a world that [`save`](World::save) wrote. It is an error if the version, number type, kind
+    /// of body or length differ. Changed bytes and too many bodies are errors too.
+    ///
+    /// ```
+    /// # use fixstep::{Point, World, vec2};
+    /// let mut world = World::<Point<f32>, 2>::new();
+    /// let id = world.add(Point::new(vec2(0, 2)?, vec2(3, 0)?, 1)?)?;
+    /// let mut bytes = [0; 88];
+    /// let length = world.save(&mut bytes).unwrap(); // 40 + 24
+    /// let loaded = World::<Point<f32>, 2>::load(&bytes[..length]).unwrap();
+    /// assert_eq!(loaded.get(id)?, world.get(id)?);
+    /// # Ok::<(), fixstep::Error>(())
+    /// ```
     pub fn load(bytes: &[u8]) -> Result<Self, SnapshotError> {
         let given = bytes.len();
         let length = |needed| SnapshotError::Length { needed, given };
@@ -170,7 +212,7 @@ impl<B: Saved, const N: usize> World<B, N> {
     }
 }
 
-/// Over all bytes but its own four.
+/// The checksum of all bytes except its own four.
 fn checksum(bytes: &[u8]) -> u32 {
     let mut sum = Fnv32::new();
     for part in [bytes.get(..SUM.start), bytes.get(SUM.end..)] {

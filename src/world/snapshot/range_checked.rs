@@ -1,9 +1,9 @@
-//! The state of a body that remembers whether it was at an end of the range.
+//! The saved state of a body that remembers whether it was at an end of the range.
 
 use super::Saved;
 use crate::body::RangeChecked;
 
-/// The state of the body, and a byte for the mark: it outlives a snapshot.
+/// The state of the body, and one byte for the mark, so that the loaded body keeps it.
 impl<B: Saved> Saved for RangeChecked<B> {
     const KIND: u16 = B::KIND | 0x4000;
     const BYTES: usize = B::BYTES + 1;
