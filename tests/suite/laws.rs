@@ -13,6 +13,7 @@ pub mod verbs;
 #[path = "laws/verbs_built_in.rs"]
 mod verbs_built_in;
 
+use crate::support::long;
 use fixstep::Scalar;
 use fixstep::fixed::types::{I1F31, I1F63, I8F24, I12F20, I16F16, I20F12, I32F32};
 use float::Floats;
@@ -21,7 +22,7 @@ use judge::{Factors, corners, pairs, ratios, values};
 use proptest::prelude::*;
 
 /// Random pairs for each number type.
-const PAIRS: u64 = 1_000_000;
+const PAIRS: u64 = long(1_000_000);
 
 macro_rules! laws_of {
     ($($name:ident: $scalar:ty, $judge:ty;)*) => {$(

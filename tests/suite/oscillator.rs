@@ -241,7 +241,7 @@ fn check_explosion<S: Format>(scheme: Scheme) {
 fn check_no_explosion<S: Format>(scheme: Scheme) {
     let (mut world, mut forces) = at_rate::<S>(1.998);
     let (mut method, step) = (scheme.method(), Step::hz(60).unwrap());
-    for _ in 0..20_000 {
+    for _ in 0..long(20_000) {
         world.step(&mut method, &mut forces, &step);
         assert_eq!(world.out_of_range().count(), 0);
         let inside = |body: &Point<S>| body.velocity().x.to_f64().abs() <= 0.33 * room::<S>();

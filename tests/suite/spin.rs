@@ -21,7 +21,7 @@ use fixstep::{
 };
 use support::*;
 
-const STEPS: u64 = 10_000_000;
+const STEPS: u64 = long(10_000_000);
 
 /// Turns a second, one of them backwards.
 const SPINS: [f64; 3] = [0.1, -1.0, 10.0];

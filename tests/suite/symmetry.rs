@@ -10,7 +10,7 @@ use fixstep::{
 };
 use support::*;
 
-const STEPS: u32 = 100_000;
+const STEPS: u32 = long(100_000) as u32;
 
 /// What is done to a scene: the sign of each axis, then a shift.
 #[derive(Clone, Copy)]
@@ -113,7 +113,7 @@ fn gravitation<S: Scalar>(constant: f64) -> Pull<S> {
 /// Methods with four force calls a step, whose bits would differ as soon, make fewer steps.
 fn shortened(scheme: Scheme, steps: u32) -> u32 {
     match scheme {
-        Scheme::Rk4 | Scheme::Pefrl => steps.min(1000),
+        Scheme::Rk4 | Scheme::Pefrl => steps.min(long(50_000) as u32),
         _ => steps,
     }
 }
@@ -228,7 +228,7 @@ fn room<S: Grid>(track: &Track<S>, axis: usize, sign: i64) -> i32 {
 
 /// Forces see differences of positions only, and those do not change.
 fn check_shift<S: Grid>() {
-    const STEPS: u32 = 2000;
+    const STEPS: u32 = if LAB { 2000 } else { 200 };
     let step = Step::hz(60).unwrap();
     for scheme in ALL_SCHEMES {
         let plain = track::<S>(scheme, &step, STEPS, Change::NONE, ORDER);

@@ -9,13 +9,19 @@ mod long_run;
 mod rounding;
 mod stability;
 
-// Of the quick suite, here with all their steps.
+// Of the quick suite, here with all their steps and number types.
+#[path = "../../../tests/suite/capacity.rs"]
+mod capacity;
+#[path = "../../../tests/suite/exact_drag.rs"]
+mod exact_drag;
 #[path = "../../../tests/suite/exact_spring.rs"]
 mod exact_spring;
 #[path = "../../../tests/suite/high_order.rs"]
 mod high_order;
 #[path = "../../../tests/suite/invariants.rs"]
 mod invariants;
+#[path = "../../../tests/suite/laws.rs"]
+mod laws;
 #[path = "../../../tests/suite/momentum.rs"]
 mod momentum;
 #[path = "../../../tests/suite/nbody.rs"]
@@ -24,3 +30,9 @@ mod nbody;
 mod oscillator;
 #[path = "../../../tests/suite/rewind.rs"]
 mod rewind;
+#[path = "../../../tests/suite/snapshot.rs"]
+mod snapshot;
+#[path = "../../../tests/suite/spin.rs"]
+mod spin;
+#[path = "../../../tests/suite/symmetry.rs"]
+mod symmetry;

@@ -128,9 +128,11 @@ fn check_point<S: Format + Decay>() {
 #[test]
 fn points_decay_as_the_exponential() {
     check_point::<f32>();
-    check_point::<f64>();
     check_point::<I16F16>();
-    check_point::<I8F24>();
+    if LAB {
+        check_point::<f64>();
+        check_point::<I8F24>();
+    }
 }
 
 fn check_carried<S: Format + Decay + fixstep::Carry>() {
@@ -158,7 +160,9 @@ fn check_carried<S: Format + Decay + fixstep::Carry>() {
 #[test]
 fn carried_bodies_are_within_a_unit_of_the_exponential() {
     check_carried::<f32>();
-    check_carried::<f64>();
     check_carried::<I16F16>();
-    check_carried::<I8F24>();
+    if LAB {
+        check_carried::<f64>();
+        check_carried::<I8F24>();
+    }
 }

@@ -124,9 +124,11 @@ fn check_point<S: Format + Decay>() {
 #[test]
 fn points_follow_the_hyperbola() {
     check_point::<f32>();
-    check_point::<f64>();
     check_point::<I16F16>();
-    check_point::<I8F24>();
+    if LAB {
+        check_point::<f64>();
+        check_point::<I8F24>();
+    }
 }
 
 fn check_carried<S: Format + Decay + fixstep::Carry>() {
@@ -154,9 +156,11 @@ fn check_carried<S: Format + Decay + fixstep::Carry>() {
 #[test]
 fn carried_bodies_are_within_a_unit_of_the_hyperbola() {
     check_carried::<f32>();
-    check_carried::<f64>();
     check_carried::<I16F16>();
-    check_carried::<I8F24>();
+    if LAB {
+        check_carried::<f64>();
+        check_carried::<I8F24>();
+    }
 }
 
 /// At `q = 100` an explicit step makes v 99 times as fast as it was, backwards. The next kicks are out of

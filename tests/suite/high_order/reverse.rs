@@ -10,7 +10,7 @@ use super::support::*;
 use super::{I8F24, I12F20, I16F16};
 
 const N: usize = 4;
-const TICKS: u64 = 2000;
+const TICKS: u64 = if LAB { 2000 } else { 200 };
 
 fn scene<S: Format>(i: usize) -> World<Point<S>, N> {
     world(std::array::from_fn(|k| {

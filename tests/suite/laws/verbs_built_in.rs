@@ -8,8 +8,9 @@ use crate::laws::float::Floats;
 use crate::laws::integer::{Integers, dyadic};
 use crate::laws::judge::Random;
 use crate::laws::verbs::{coefs, even, inverse_lengths, is_inverse_root, masses, with_bits};
+use crate::support::LAB;
 
-const COUNT: u64 = 200_000;
+const COUNT: u64 = if LAB { 200_000 } else { 10_000 };
 
 macro_rules! verbs_of {
     ($($name:ident: $scalar:ty, $bits:literal;)*) => {$(

@@ -93,7 +93,7 @@ fn returns<S: Format + Exact>(
         &mut method,
         &mut &mut forces,
         step,
-        [10_000, 100],
+        [support::long(10_000), support::long(100)],
     );
 }
 

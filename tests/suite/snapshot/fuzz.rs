@@ -10,12 +10,12 @@ use super::samples::saved;
 use super::scenes::{ROOM, Scene, flight, stars, start, tied};
 use super::tally::Tally;
 use super::turning::turning;
-use crate::support::SCHEMES;
+use crate::support::{SCHEMES, long};
 
-const SPELLS: usize = 340_000;
-const MUTANTS: usize = 100_000;
-const TURNING_MUTANTS: usize = 40_000;
-const FORGERIES: usize = 100_000;
+const SPELLS: usize = long(340_000) as usize;
+const MUTANTS: usize = long(100_000) as usize;
+const TURNING_MUTANTS: usize = long(40_000) as usize;
+const FORGERIES: usize = long(100_000) as usize;
 /// Of so many accepted worlds one is stepped.
 const EVERY: usize = 5;
 
@@ -109,7 +109,7 @@ fn spells<B: Stepped>(random: &mut Random, tally: &mut Tally) {
 }
 
 #[test]
-fn a_million_random_strings() {
+fn random_strings() {
     let points = [
         spells::<Point<f32>>,
         spells::<Point<I16F16>>,
@@ -146,8 +146,12 @@ fn mutants_with_a_good_checksum() {
         mutants::<Point<I32F32>, MUTANTS>,
     ];
     let tally = every_body(0x3117, "mutants", points);
-    assert!(tally.accepted >= 20_000 && tally.stepped >= 4_000);
-    assert!(tally.refused[7] >= 20_000, "states: {:?}", tally.refused);
+    assert!(tally.accepted >= long(20_000) as usize && tally.stepped >= long(4_000) as usize);
+    assert!(
+        tally.refused[7] >= long(20_000) as usize,
+        "states: {:?}",
+        tally.refused
+    );
 }
 
 // Their strings stop where those of points do, so there are fewer of them.
@@ -161,8 +165,12 @@ fn mutants_and_strings_of_bodies_that_turn() {
         spells::<Rigid<Point<I16F16>>>,
     ];
     let tally = every_body(0x7417, "bodies that turn", bodies);
-    assert!(tally.accepted >= 20_000 && tally.stepped >= 4_000);
-    assert!(tally.refused[7] >= 20_000, "states: {:?}", tally.refused);
+    assert!(tally.accepted >= long(20_000) as usize && tally.stepped >= long(4_000) as usize);
+    assert!(
+        tally.refused[7] >= long(20_000) as usize,
+        "states: {:?}",
+        tally.refused
+    );
 }
 
 /// One of `likely`, or any word.
@@ -215,12 +223,12 @@ fn forgeries<S: Kept>(random: &mut Random, tally: &mut Tally) {
 fn forgeries_reach_every_check() {
     let scalars = [forgeries::<f32>, forgeries::<I16F16>, forgeries::<I32F32>];
     let tally = every_body(0xF06E, "forgeries", scalars);
-    assert!(tally.accepted >= 20_000 && tally.stepped >= 4_000);
+    assert!(tally.accepted >= long(20_000) as usize && tally.stepped >= long(4_000) as usize);
     // Magic, version and checksum are right by design.
     let [length, _, _, _, kind, scalar, full, state] = tally.refused;
     assert!(
         [length, kind, scalar, full, state]
             .iter()
-            .all(|&count| count >= 1_000)
+            .all(|&count| count >= long(1_000) as usize)
     );
 }

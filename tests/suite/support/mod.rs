@@ -10,7 +10,7 @@ use fixstep::{
 };
 
 /// Whether this is the lab, which has the time for long runs.
-const LAB: bool = matches!(env!("CARGO_PKG_NAME").as_bytes(), b"fixstep-lab");
+pub const LAB: bool = matches!(env!("CARGO_PKG_NAME").as_bytes(), b"fixstep-lab");
 
 /// Steps of a long run: all of them in the lab, a fiftieth in the quick suite.
 pub const fn long(steps: u64) -> u64 {
