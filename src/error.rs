@@ -77,6 +77,13 @@ use core::fmt;
 use crate::ratio::{Ratio, RatioError};
 
 /// Why a value was refused. Nothing is changed by the call that returns it.
+///
+/// ```
+/// use fixstep::{Error, fixed::types::I16F16, vec2};
+/// let error = vec2::<I16F16>(40_000, 0).unwrap_err();
+/// assert!(matches!(error, Error::OutOfRange { field: "x", .. }));
+/// assert_eq!(error.to_string(), "x 40000 is out of range");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
@@ -188,6 +195,15 @@ impl From<RatioError> for Error {
 
 /// There was no room, or all `2^32` ids were given; the body that was to be added is inside. For
 /// code that cannot place it elsewhere `?` makes an [`Error`] of it.
+///
+/// ```
+/// use fixstep::{Error, Point, World, dec, fixed::types::I16F16, vec2};
+/// let ball = Point::<I16F16>::new(vec2(0, 2)?, vec2(1, 0)?, dec!(1))?;
+/// let full = World::<_, 0>::new().add(ball).unwrap_err();
+/// assert_eq!((full.body, full.capacity), (ball, 0));
+/// assert_eq!(Error::from(full), Error::Full { capacity: 0 });
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Full<B> {

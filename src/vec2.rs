@@ -7,6 +7,16 @@ use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 
 /// A 2D vector; x to the right, y up unless the scene says otherwise.
+///
+/// ```
+/// use fixstep::{fixed::types::I16F16, vec2};
+/// let a = vec2::<I16F16>(3, 4)?;
+/// let b = vec2::<I16F16>(1, 0)?;
+/// assert_eq!(a + b, vec2(4, 4)?);
+/// assert_eq!(a.length(), 5);
+/// assert_eq!(b.perp(), vec2(0, 1)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Vec2<S> {
     /// First component.

@@ -22,6 +22,14 @@ use super::integer::Raw;
 const ENOUGH: u32 = 7;
 
 /// A number type in which drags can be solved exactly.
+///
+/// ```
+/// use fixstep::Decay;
+/// let [loss, mean, _] = f64::decay(1.0);
+/// assert!((loss - (1.0 - (-1.0_f64).exp())).abs() < 1e-14);
+/// assert!((mean - loss).abs() < 1e-14); // x = 1: both are 1 - exp(-1)
+/// assert_eq!(f64::share(1.0), 0.5);
+/// ```
 pub trait Decay: Scalar {
     /// For a rate times a time, `x >= 0`: the loss `1 - exp(-x)`, from 0 to 1; its mean over the
     /// time, `(1 - exp(-x)) / x`; and the mean of what is lost by then, over x, `(x - loss) / x²`.

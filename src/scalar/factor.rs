@@ -21,6 +21,12 @@ use super::integer::Raw;
 use crate::ratio::Ratio;
 
 /// A coefficient `m / 2^k` beside a scalar stored in `R`.
+///
+/// ```
+/// use fixstep::{dec, fixed::types::I16F16, scalar::{Coef, Factor}};
+/// let drag: Coef<i32> = Factor::<I16F16>::new(dec!(0.25)).unwrap();
+/// assert_eq!(drag.scale(I16F16::lit("6")), 1.5);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coef<R> {
     mantissa: R,
@@ -28,6 +34,13 @@ pub struct Coef<R> {
 }
 
 /// A length of time below a quarter second beside a scalar stored in `R`.
+///
+/// ```
+/// use fixstep::{dec, fixed::types::I16F16, scalar::{Factor, Span}};
+/// let h: Span<i32> = Factor::<I16F16>::new(dec!(0.1)).unwrap();
+/// assert_eq!(h.scale(I16F16::lit("1")), I16F16::lit("0.1"));
+/// assert_eq!(<Span<i32> as Factor<I16F16>>::new(dec!(0.25)), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span<R> {
     mantissa: R,
@@ -35,6 +48,13 @@ pub struct Span<R> {
 }
 
 /// One over a mass, in 32 bits between `2^-11` and `2^21` kg, packed in one `R`.
+///
+/// ```
+/// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::{Factor, InvMass}};
+/// let inverse: InvMass<i32> = Factor::<I16F16>::new(dec!(0.25)).unwrap();
+/// assert_eq!(inverse.scale(I16F16::lit("8")), 2); // 8 N s change 4 kg by 2 m/s
+/// assert_eq!(I16F16::mass(inverse).scale(I16F16::lit("1")), 4);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InvMass<R>(pub(super) R);
 

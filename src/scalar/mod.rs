@@ -42,6 +42,12 @@ pub use rational::Rational;
 pub use stored::Stored;
 
 /// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
+///
+/// ```
+/// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::Factor};
+/// let half: <I16F16 as Scalar>::Coef = Factor::<I16F16>::new(dec!(0.5)).unwrap();
+/// assert_eq!(half.scale(I16F16::lit("3")), 1.5);
+/// ```
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
     /// The factor nearest to `ratio`; `None` if it is out of range or would become zero.
     /// Zero itself is allowed where the factor may be zero.
@@ -59,6 +65,15 @@ pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
 
 /// A number type whose sums lose no bit: where `a.plus(b)` is [inside](Scalar::is_inside), taking b away
 /// leads back to `a`, in whatever order several were added. True of fixed point; a float rounds its sums.
+///
+/// ```
+/// use fixstep::{Exact, Scalar, fixed::types::I16F16};
+/// fn comes_back<S: Exact>(a: S, b: S) -> bool {
+///     a.plus(b).minus(b) == a
+/// }
+/// assert!(comes_back(I16F16::lit("0.1"), I16F16::lit("1000")));
+/// assert!(0.1_f32.plus(1000.0).minus(1000.0) != 0.1);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a world in `{Self}` cannot go back: its sums round",
     note = "sums of fixed point lose nothing"

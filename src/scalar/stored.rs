@@ -7,6 +7,14 @@ use super::factor::{Coef, InvMass};
 
 /// A number that a snapshot can hold. Implement it for a number type of your own, and for its
 /// inverse mass, and its worlds can be saved; for its coefficients too, where bodies turn.
+///
+/// ```
+/// use fixstep::{Stored, fixed::types::I16F16};
+/// let x = I16F16::lit("-1.5");
+/// assert_eq!(x.store(), 0xFFFE_8000);
+/// assert_eq!(I16F16::restore(0xFFFE_8000), Some(x));
+/// assert_eq!(I16F16::restore(1 << 32), None);
+/// ```
 pub trait Stored: Copy {
     /// Tells number types apart. Yours starts at `0x8000_0000`.
     const FORMAT: u32;

@@ -18,6 +18,14 @@ use super::{Carry, Scalar};
 pub use turns::Turns;
 
 /// A number type in which bodies can turn.
+///
+/// ```
+/// use fixstep::{Angular, dec, fixed::types::I16F16, scalar::Turns};
+/// let quarter: u32 = Turns::nearest(dec!(0.25));
+/// let v = [I16F16::lit("3"), I16F16::lit("0")];
+/// let [x, y] = I16F16::rotated(I16F16::circle(quarter), v);
+/// assert!(x == 0 && y == 3);
+/// ```
 pub trait Angular: Scalar {
     /// An angle, all bits of which are a fraction of a turn.
     type Turns: Turns;
@@ -67,6 +75,14 @@ pub trait Angular: Scalar {
 }
 
 /// The same with remainders.
+///
+/// ```
+/// use fixstep::{Carry, CarryAngular, dec, fixed::types::I16F16, scalar::Turns};
+/// let quarter: u32 = Turns::nearest(dec!(0.25));
+/// let spin = (I16F16::lit("1"), I16F16::NO_REMAINDER); // one turn a second
+/// let half = I16F16::fine_rotated_dyadic(I16F16::fine(quarter), spin, 1, 2); // 1/4 s
+/// assert_eq!(I16F16::coarse(half), u32::nearest(dec!(0.5)));
+/// ```
 pub trait CarryAngular: Angular + Carry {
     /// An angle with what turns left over.
     type Fine: Copy + Debug + Eq + 'static;

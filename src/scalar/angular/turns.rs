@@ -6,6 +6,13 @@ use core::num::NonZero;
 use crate::ratio::Ratio;
 
 /// A fraction of a turn: all bits of an integer, so that sums wrap exactly.
+///
+/// ```
+/// use fixstep::{dec, scalar::Turns};
+/// let angle = u32::nearest(dec!(0.75));
+/// assert_eq!(angle.to_f64(), -0.25);
+/// assert_eq!(angle.plus(angle), u32::nearest(dec!(0.5))); // 1.5 turns wrap to 0.5
+/// ```
 pub trait Turns: Copy + Debug + Eq + 'static {
     /// No angle.
     const ZERO: Self;

@@ -10,6 +10,16 @@ mod float;
 use super::Scalar;
 
 /// A number type whose roundings can be kept.
+///
+/// ```
+/// use fixstep::{Carry, fixed::types::I16F16};
+/// let slow = I16F16::DELTA; // one unit a second
+/// let mut x = I16F16::ZERO.fine_position();
+/// for _ in 0..64 {
+///     x = I16F16::moved_dyadic(x, slow, 1, 6); // 1/64 s
+/// }
+/// assert_eq!(I16F16::seen(x), slow);
+/// ```
 pub trait Carry: Scalar {
     /// A position with what moves left over.
     type FinePosition: Copy + core::fmt::Debug + PartialEq + 'static;
