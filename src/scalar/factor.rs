@@ -1,4 +1,4 @@
-//! The three factors of fixed point, each with its own place of the binary point.
+//! The three factors of fixed point, each with its own position of the binary point.
 //!
 //! ```text
 //! Coef     m / 2^k               m of 31 bits         any k: exact for powers of two
@@ -14,13 +14,13 @@
 //!
 //! Why spans come in pairs: at 1/60 s every sixtieth velocity has `h v` half-way between two
 //! positions. One span sends all of them outwards, or all inwards; a spring of 1 Hz then runs
-//! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Taken by turns, one below and one
-//! above `h`, they cancel, and the mean of the two is within one unit of `h`.
+//! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Used alternately, one below and one
+//! above `h`, they cancel. The mean of the two is within one unit of `h`.
 
 use super::integer::Raw;
 use crate::ratio::Ratio;
 
-/// A coefficient `m / 2^k` beside a scalar stored in `R`.
+/// A coefficient `m / 2^k`, for a scalar stored in `R`.
 ///
 /// ```
 /// use fixstep::{dec, fixed::types::I16F16, scalar::{Coef, Factor}};
@@ -33,7 +33,7 @@ pub struct Coef<R> {
     shift: u32,
 }
 
-/// A length of time below a quarter second beside a scalar stored in `R`.
+/// A *span* is a length of time below a quarter second, for a scalar stored in `R`.
 ///
 /// ```
 /// use fixstep::{dec, fixed::types::I16F16, scalar::{Factor, Span}};
@@ -47,7 +47,7 @@ pub struct Span<R> {
     shift: u32,
 }
 
-/// One over a mass, in 32 bits between `2^-11` and `2^21` kg, packed in one `R`.
+/// One divided by a mass, packed in one `R`. In 32 bits the mass is between `2^-11` and `2^21` kg.
 ///
 /// ```
 /// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::{Factor, InvMass}};
@@ -118,7 +118,7 @@ impl<R: Raw> Coef<R> {
         self.mantissa == R::signed(0, false)
     }
 
-    // Not `#[inline]`, as some others: shared where size counts.
+    // Not `#[inline]`, like some others: one shared copy is smaller.
     pub(super) fn scale(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }

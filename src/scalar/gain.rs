@@ -1,4 +1,4 @@
-//! What a constant rate adds in one step, with a fraction that is spread over the ticks.
+//! What a constant rate adds in one step. Its fraction is spread over the ticks.
 
 use super::factor::Coef;
 use super::integer::Raw;
