@@ -8,8 +8,8 @@
 //! | own precision | `h`, `k` and `1/m` are not state: they are kept with more relative precision than the state has |
 //! | same bits | the same inputs give the same bits on every target |
 //!
-//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) but `I0F32` and `I32F0`, and, as
-//! a wide reference, every such [`FixedI64`](fixed::FixedI64). You can implement the trait
+//! Implemented for `f32`, `f64`, every [`FixedI32`](crate::fixed::FixedI32) but `I0F32` and `I32F0`, and, as
+//! a wide reference, every such [`FixedI64`](crate::fixed::FixedI64). You can implement the trait
 //! for a number type of your own.
 //!
 //! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`. It floors. On overflow it
