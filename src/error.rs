@@ -1,7 +1,7 @@
-//! What a call says when it refuses its input, and what a full world hands back.
+//! The errors of the crate, and a table of every input that a call refuses.
 //!
-//! Nothing panics, and a call that refuses changes nothing. A step refuses nothing: it saturates, and
-//! [`World::out_of_range`](crate::World::out_of_range) reports. A test of each row holds this table.
+//! Nothing panics. A call that returns an error changes nothing. A step returns no error: it saturates, and
+//! [`World::out_of_range`](crate::World::out_of_range) tests for it. Each row of this table has a test.
 //!
 //! | input | where | error | what is kept |
 //! |---|---|---|---|
@@ -71,16 +71,28 @@
 //! | to go back from tick 0 | [`World::step_back`](crate::World::step_back) | `AtStart` | the world |
 //! | to go back with a body that has left the range, or would on the way | [`World::step_back`](crate::World::step_back) | `Saturated` | the world |
 //! | to undo a step in which a force has damping | [`World::step_back`](crate::World::step_back) | `Damped` | the world |
+//!
+//! ```
+//! use fixstep::{Error, Step, fixed::types::I16F16};
+//! assert!(matches!(Step::<I16F16>::hz(0), Err(Error::NotPositive { .. })));
+//! ```
 
 use core::fmt;
 
 use crate::ratio::{Ratio, RatioError};
 
-/// Why a value was refused. Nothing is changed by the call that returns it.
+/// Why a value was refused. The call that returns it changes nothing.
+///
+/// ```
+/// use fixstep::{Error, fixed::types::I16F16, vec2};
+/// let error = vec2::<I16F16>(40_000, 0).unwrap_err();
+/// assert!(matches!(error, Error::OutOfRange { field: "x", .. }));
+/// assert_eq!(error.to_string(), "x 40000 is out of range");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
-    /// There must be at least one.
+    /// The list must have at least one element.
     Empty {
         /// Name of the argument.
         field: &'static str,
@@ -99,26 +111,26 @@ pub enum Error {
         /// Its value.
         value: Ratio,
     },
-    /// The value is outside what the field, or the number type that has to hold it, can take.
+    /// The value is outside the range of the field, or of the number type that has to hold it.
     OutOfRange {
         /// Name of the argument.
         field: &'static str,
         /// Its value.
         value: Ratio,
     },
-    /// The value is not zero, but too small for the number type, or for a coefficient of it.
+    /// The value is not zero, but the number type, or its coefficient, would round it to zero.
     RoundsToZero {
         /// Name of the argument.
         field: &'static str,
         /// Its value.
         value: Ratio,
     },
-    /// There is no room for another body.
+    /// The world has no room for another body.
     Full {
         /// How many the world holds.
         capacity: usize,
     },
-    /// The body is not in the world, or no more.
+    /// The body is not, or no longer, in the world.
     Stale {
         /// Its serial number.
         serial: u32,
@@ -138,7 +150,7 @@ pub enum Error {
         /// Name of the shape.
         shape: &'static str,
     },
-    /// The corner is straight or turns the other way, or the outline turns more than once.
+    /// The corner is straight or bends the other way, or the outline goes round more than once.
     NotConvex {
         /// Which vertex, from 0.
         vertex: usize,
@@ -159,7 +171,7 @@ impl fmt::Display for Error {
                 write!(f, "{field} {value} is out of range")
             }
             Error::RoundsToZero { field, value } => {
-                write!(f, "{field} {value} is too small to be held")
+                write!(f, "{field} {value} is too small: it would round to zero")
             }
             Error::Full { capacity } => {
                 write!(f, "a world for {capacity} bodies has no room for another")
@@ -186,12 +198,21 @@ impl From<RatioError> for Error {
     }
 }
 
-/// There was no room, or all `2^32` ids were given; the body that was to be added is inside. For
-/// code that cannot place it elsewhere `?` makes an [`Error`] of it.
+/// The world has no room, or has given all its `2^32` ids. The body that was to be added is inside.
+/// `?` converts it to an [`Error`], without the body.
+///
+/// ```
+/// use fixstep::{Error, Point, World, dec, fixed::types::I16F16, vec2};
+/// let ball = Point::<I16F16>::new(vec2(0, 2)?, vec2(1, 0)?, dec!(1))?;
+/// let full = World::<_, 0>::new().add(ball).unwrap_err();
+/// assert_eq!((full.body, full.capacity), (ball, 0));
+/// assert_eq!(Error::from(full), Error::Full { capacity: 0 });
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Full<B> {
-    /// The body that found no place.
+    /// The body that was not added.
     pub body: B,
     /// How many the world holds.
     pub capacity: usize,

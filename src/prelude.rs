@@ -1,4 +1,4 @@
-//! What most scenes name: `use fixstep::prelude::*;`.
+//! The names that most scenes use: `use fixstep::prelude::*;`.
 //!
 //! ```
 //! use fixstep::fixed::types::I16F16;

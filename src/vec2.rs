@@ -1,4 +1,10 @@
-//! A pair of scalars. Its operators keep the laws of [`Scalar`]: they saturate.
+//! A pair of scalars. Its operators keep the [laws](crate::scalar) of [`Scalar`]: fixed point saturates.
+//!
+//! ```
+//! use fixstep::{Scalar, Vec2, fixed::types::I16F16};
+//! let far = Vec2::new(I16F16::MAX, I16F16::MAX);
+//! assert_eq!(far + far, far);
+//! ```
 
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
@@ -6,7 +12,17 @@ use crate::error::Error;
 use crate::ratio::Ratio;
 use crate::scalar::{Factor, Scalar};
 
-/// A 2D vector; x to the right, y up unless the scene says otherwise.
+/// A 2D vector: x to the right and y up, unless the scene chooses other axes.
+///
+/// ```
+/// use fixstep::{fixed::types::I16F16, vec2};
+/// let a = vec2::<I16F16>(3, 4)?;
+/// let b = vec2::<I16F16>(1, 0)?;
+/// assert_eq!(a + b, vec2(4, 4)?);
+/// assert_eq!(a.length(), 5);
+/// assert_eq!(b.perp(), vec2(0, 1)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Vec2<S> {
     /// First component.
@@ -35,27 +51,27 @@ pub fn vec2<S: Scalar>(x: impl Into<Ratio>, y: impl Into<Ratio>) -> Result<Vec2<
 }
 
 impl<S: Scalar> Vec2<S> {
-    /// The null vector.
+    /// The zero vector.
     pub const ZERO: Vec2<S> = Vec2 {
         x: S::ZERO,
         y: S::ZERO,
     };
 
-    /// From its components.
+    /// A vector from its components.
     #[inline]
     #[must_use]
     pub const fn new(x: S, y: S) -> Vec2<S> {
         Vec2 { x, y }
     }
 
-    /// As an array, x first.
+    /// The components as an array, x first.
     #[inline]
     #[must_use]
     pub fn array(self) -> [S; 2] {
         [self.x, self.y]
     }
 
-    /// Each component through `f`.
+    /// Applies `f` to each component.
     #[inline]
     #[must_use]
     pub fn map<T>(self, mut f: impl FnMut(S) -> T) -> Vec2<T> {
@@ -65,7 +81,7 @@ impl<S: Scalar> Vec2<S> {
         }
     }
 
-    /// Times a factor, each component rounded once.
+    /// `self * factor`, each component rounded once.
     #[inline]
     #[must_use]
     pub fn scaled(self, factor: impl Factor<S>) -> Vec2<S> {
@@ -79,7 +95,7 @@ impl<S: Scalar> Vec2<S> {
         S::dot(self.array(), other.array())
     }
 
-    /// A quarter turn from x to y: `(-y, x)`.
+    /// The vector rotated by a quarter turn from x to y: `(-y, x)`.
     #[inline]
     #[must_use]
     pub fn perp(self) -> Vec2<S> {
@@ -100,15 +116,15 @@ impl<S: Scalar> Vec2<S> {
         S::length(self.array())
     }
 
-    /// The vector of length `length` along `self`, whose own length the caller knows. Zero for a
-    /// null vector.
+    /// The vector of length `length` in the direction of `self`. The caller passes the length of
+    /// `self` as `own`. Zero for a zero vector.
     #[inline]
     #[must_use]
     pub fn with_length(self, length: S, own: S) -> Vec2<S> {
         self.map(|s| S::quotient(S::dot([s, S::ZERO], [length, S::ZERO]), own))
     }
 
-    /// Whether both components are away from the ends of the range and finite.
+    /// Whether both components are finite and not at an end of the range.
     #[inline]
     #[must_use]
     pub fn is_inside(self) -> bool {

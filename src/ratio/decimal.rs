@@ -1,4 +1,4 @@
-//! Decimals as ratios: read by the compiler where they are literals.
+//! Decimals as ratios. The compiler reads literals.
 
 use super::{Ratio, RatioError};
 
@@ -42,7 +42,7 @@ impl Ratio {
 /// assert_eq!(G.num(), 981);
 /// ```
 ///
-/// A literal that is no plain decimal does not compile:
+/// Anything but a plain decimal does not compile:
 ///
 /// ```compile_fail
 /// let x = fixstep::dec!(1e9);

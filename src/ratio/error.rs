@@ -1,8 +1,8 @@
-//! Why a number is no [`Ratio`](super::Ratio).
+//! Why a number cannot be a [`Ratio`](super::Ratio).
 
 use core::fmt;
 
-/// Why a number was refused. `?` makes an [`Error`](crate::Error) of it.
+/// Why a number was refused. `?` converts it to an [`Error`](crate::Error).
 ///
 /// ```
 /// use fixstep::{Error, Ratio};

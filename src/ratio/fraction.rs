@@ -1,7 +1,8 @@
 //! Products, sums and quotients of ratios: exact where 62 bits suffice, else off by `2^-62` of themselves.
 //!
-//! For what is worked out once, at start-up, from numbers of any size: integers alone, additions and
-//! shifts for the most part; calls, since flash counts here and time does not. A result from `2^62` is none; one below `2^-62` is zero.
+//! For values computed once, at start-up, from numbers of any size. Uses integers only, mostly additions and
+//! shifts. The functions are not inlined: here flash counts and time does not. A result from `2^62` is `None`;
+//! one below `2^-62` is zero.
 
 use crate::ratio::Ratio;
 
@@ -84,7 +85,7 @@ impl Ratio {
         if rest < by {
             (rest, whole) = (rest << 1, whole - 1);
         }
-        // The value is 1 to 2 times 2^whole. Of a small one the denominator takes the 62 bits.
+        // The value is 1 to 2 times 2^whole. For a small value the denominator takes the 62 bits.
         if whole < 0 {
             let inverse = Ratio::to_62_bits(den, num, -exponent);
             return inverse.map_or(Some(Ratio::ZERO), Ratio::inverse);

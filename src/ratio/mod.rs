@@ -1,8 +1,13 @@
-//! Constants as ratios of integers, so that no floating-point code is needed to make them.
+//! Constants as ratios of integers. Making one needs no floating-point code.
 //!
-//! A [`Ratio`] is exact. A number type rounds it once, when a constructor asks for it. Of a ratio
-//! that is written in the source the compiler makes the rounded constant; one that is known only
-//! at run time costs a 128-bit division.
+//! A [`Ratio`] is exact. A constructor rounds it once into the number type. For a ratio written in
+//! the source, the compiler computes the rounded constant. A ratio known only at run time costs a
+//! 128-bit division.
+//!
+//! ```
+//! use fixstep::{Scalar, dec, fixed::types::I16F16};
+//! assert_eq!(I16F16::ratio(dec!(0.1)), Some(I16F16::lit("0.1")));
+//! ```
 
 mod decimal;
 mod error;
@@ -127,7 +132,7 @@ impl Ratio {
         })
     }
 
-    /// Numerator; carries the sign.
+    /// Numerator, with the sign.
     #[must_use]
     pub const fn num(self) -> i64 {
         self.num
@@ -139,8 +144,8 @@ impl Ratio {
         self.den
     }
 
-    /// The ratio that `value` stands for, exact where 62 bits suffice, else nearest.
-    /// For host code: a device writes [`dec!`](crate::dec). Refuses NaN and magnitudes from `2^62`.
+    /// The ratio equal to `value`: exact where 62 bits suffice, else the nearest.
+    /// For code on a host; on a device use [`dec!`](crate::dec). Refuses NaN and magnitudes from `2^62`.
     pub fn from_f64(value: f64) -> Result<Ratio, RatioError> {
         let magnitude = libm::fabs(value);
         if magnitude.is_nan() || magnitude >= LIMIT as f64 {
@@ -161,7 +166,7 @@ impl Ratio {
     }
 }
 
-/// Equal values are equal, however they are written.
+/// Compares values: 1/2 equals 2/4.
 impl PartialEq for Ratio {
     fn eq(&self, other: &Ratio) -> bool {
         self.num as i128 * other.den as i128 == other.num as i128 * self.den as i128

@@ -6,10 +6,10 @@
 //! φ1(2y)  = φ1 (1 - loss/2)          φ2(2y) = φ2/2 + φ1²/4      loss(2y) = loss (2 - loss)
 //! ```
 //!
-//! Halved until it is at most 1/2, summed, and doubled as often: no division, no table. All numbers
-//! lie between 0 and 1, in fixed point with two bits less than their storage. From x = 64 nothing is
-//! left that a coefficient could hold. The names are those of Hochbruck, Ostermann, "Exponential
-//! integrators", Acta Numerica 19 (2010), section 2, with the sign of x turned.
+//! `x` is halved until it is at most 1/2, summed, and doubled as often: no division, no table. All numbers
+//! lie between 0 and 1, in fixed point with two bits less than their storage. From x = 64 the remainder
+//! is too small for a coefficient. The names are those of Hochbruck, Ostermann, "Exponential
+//! integrators", Acta Numerica 19 (2010), section 2, with the opposite sign of x.
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -22,14 +22,23 @@ use super::integer::Raw;
 const ENOUGH: u32 = 7;
 
 /// A number type in which drags can be solved exactly.
+///
+/// ```
+/// use fixstep::Decay;
+/// let [loss, mean, _] = f64::decay(1.0);
+/// assert!((loss - (1.0 - (-1.0_f64).exp())).abs() < 1e-14);
+/// assert!((mean - loss).abs() < 1e-14); // x = 1: both are 1 - exp(-1)
+/// assert_eq!(f64::share(1.0), 0.5);
+/// ```
 pub trait Decay: Scalar {
-    /// For a rate times a time, `x >= 0`: the loss `1 - exp(-x)`, from 0 to 1; its mean over the
-    /// time, `(1 - exp(-x)) / x`; and the mean of what is lost by then, over x, `(x - loss) / x²`.
+    /// Three numbers for `x >= 0`, a rate times a time. The loss `1 - exp(-x)`, from 0 to 1.
+    /// The mean of `exp(-x)` over the time, `(1 - exp(-x)) / x`. The mean loss over the time,
+    /// divided by x: `(x - loss) / x²`.
     #[must_use]
     fn decay(x: Self::Coef) -> [Self::Coef; 3];
 
-    /// `q / (1 + q)` for `q >= 0`: the loss of a drag that grows with the speed, and the share of a
-    /// body in a pair; from 0 to 1.
+    /// `q / (1 + q)` for `q >= 0`, from 0 to 1. It is the loss by a drag that grows with the speed,
+    /// and the share of one body in a pair.
     #[must_use]
     fn share(q: Self::Coef) -> Self::Coef;
 }

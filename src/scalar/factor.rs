@@ -1,4 +1,4 @@
-//! The three factors of fixed point, each with its own place of the binary point.
+//! The three factors of fixed point, each with its own position of the binary point.
 //!
 //! ```text
 //! Coef     m / 2^k               m of 31 bits         any k: exact for powers of two
@@ -14,27 +14,47 @@
 //!
 //! Why spans come in pairs: at 1/60 s every sixtieth velocity has `h v` half-way between two
 //! positions. One span sends all of them outwards, or all inwards; a spring of 1 Hz then runs
-//! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Taken by turns, one below and one
-//! above `h`, they cancel, and the mean of the two is within one unit of `h`.
+//! `1/120` LSB a step ahead, 8 cm in 10^6 steps of an `I16F16`. Used alternately, one below and one
+//! above `h`, they cancel. The mean of the two is within one unit of `h`.
 
 use super::integer::Raw;
 use crate::ratio::Ratio;
 
-/// A coefficient `m / 2^k` beside a scalar stored in `R`.
+/// A coefficient `m / 2^k`, for a scalar stored in `R`.
+///
+/// ```
+/// use fixstep::{dec, fixed::types::I16F16, scalar::{Coef, Factor}};
+/// let drag: Coef<i32> = Factor::<I16F16>::new(dec!(0.25)).unwrap();
+/// assert_eq!(drag.scale(I16F16::lit("6")), 1.5);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coef<R> {
     mantissa: R,
     shift: u32,
 }
 
-/// A length of time below a quarter second beside a scalar stored in `R`.
+/// A *span* is a length of time below a quarter second, for a scalar stored in `R`.
+///
+/// ```
+/// use fixstep::{dec, fixed::types::I16F16, scalar::{Factor, Span}};
+/// let h: Span<i32> = Factor::<I16F16>::new(dec!(0.1)).unwrap();
+/// assert_eq!(h.scale(I16F16::lit("1")), I16F16::lit("0.1"));
+/// assert_eq!(<Span<i32> as Factor<I16F16>>::new(dec!(0.25)), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span<R> {
     mantissa: R,
     shift: u32,
 }
 
-/// One over a mass, in 32 bits between `2^-11` and `2^21` kg, packed in one `R`.
+/// One divided by a mass, packed in one `R`. In 32 bits the mass is between `2^-11` and `2^21` kg.
+///
+/// ```
+/// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::{Factor, InvMass}};
+/// let inverse: InvMass<i32> = Factor::<I16F16>::new(dec!(0.25)).unwrap();
+/// assert_eq!(inverse.scale(I16F16::lit("8")), 2); // 8 N s change 4 kg by 2 m/s
+/// assert_eq!(I16F16::mass(inverse).scale(I16F16::lit("1")), 4);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InvMass<R>(pub(super) R);
 
@@ -98,7 +118,7 @@ impl<R: Raw> Coef<R> {
         self.mantissa == R::signed(0, false)
     }
 
-    // Not `#[inline]`, as some others: shared where size counts.
+    // Not `#[inline]`, like some others: one shared copy is smaller.
     pub(super) fn scale(self, value: R) -> R {
         R::rounded(value.product(self.mantissa), self.shift)
     }

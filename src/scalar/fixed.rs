@@ -1,8 +1,8 @@
 //! `fixed`'s signed types of 32 bits, and those of 64 as a wide reference.
 //!
 //! Sums saturate, products go through [`Raw`] and its laws; of the crate `fixed` only the
-//! representation and its saturating sums are used. A fractional bit and one before the point are
-//! required: others do not compile.
+//! representation and its saturating sums are used. A type needs at least one
+//! fractional bit and one before the point: others do not compile.
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};

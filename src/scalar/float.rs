@@ -1,7 +1,7 @@
 //! `f32` and `f64`: plain IEEE arithmetic, no fused multiply-add, so that bits agree everywhere.
 //!
-//! Rounding is nearest, ties to even: odd under negation as the laws ask. Overflow gives an
-//! infinity, which stays visible; `is_inside` tells.
+//! Rounding is nearest, ties to even: odd, as the laws require. Overflow gives an
+//! infinity, which stays; `is_inside` tests for it.
 
 use super::{Factor, Scalar};
 use crate::ratio::Ratio;

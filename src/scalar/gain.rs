@@ -1,9 +1,17 @@
-//! What a constant rate adds in one step, with a fraction that is spread over the ticks.
+//! What a constant rate adds in one step. Its fraction is spread over the ticks.
 
 use super::factor::Coef;
 use super::integer::Raw;
 
 /// What a constant rate adds in one step: `whole + unit * fraction / 2^32`.
+///
+/// ```
+/// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::{Coef, Factor}};
+/// let h: Coef<i32> = Factor::<I16F16>::new(dec!(0.1)).unwrap();
+/// let gain = I16F16::lit("1").gain(h);
+/// let sum = (0..10).fold(I16F16::ZERO, |v, tick| v.plus(I16F16::gained(gain, tick)));
+/// assert_eq!(sum, 1); // ten rounded steps of 0.1 would sum to 1.00006
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Gain<R> {
     whole: R,

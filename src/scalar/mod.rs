@@ -1,20 +1,27 @@
-//! The number law: what a scene may ask of its number type, and what it can rely on.
+//! Number types, and the laws that each of them keeps.
 //!
 //! | law | meaning |
 //! |---|---|
 //! | total | no operation panics or wraps, in debug or in release; fixed point saturates, floats go to infinity or NaN |
 //! | odd | `(-a) op b == -(a op b)` for every `a` but the most negative, so a mirrored scene gives the mirrored result; only a sum that saturates ends at the type's own limits, the lower one unit further |
 //! | nearest | a product is rounded once, to the nearest value; ties go away from zero in fixed point, to even in floats |
-//! | own precision | `h`, `k` and `1/m` are no state: they are kept with more relative precision than the state has |
+//! | own precision | `h`, `k` and `1/m` are not state: they are kept with more relative precision than the state has |
 //! | same bits | the same inputs give the same bits on every target |
 //!
-//! Implemented for `f32`, `f64`, every [`FixedI32`](fixed::FixedI32) but `I0F32` and `I32F0`, and, as
-//! a wide reference, every such [`FixedI64`](fixed::FixedI64). The trait is open: a number type of
-//! your own takes part by implementing it.
+//! Implemented for `f32`, `f64`, every [`FixedI32`](crate::fixed::FixedI32) but `I0F32` and `I32F0`, and, as
+//! a wide reference, every such [`FixedI64`](crate::fixed::FixedI64). You can implement the trait
+//! for a number type of your own.
 //!
-//! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`: it floors, it panics in
-//! debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
+//! **Warning.** On an `I8F24`, `a * b` is the operator of the crate `fixed`. It floors. On overflow it
+//! panics in debug builds and wraps in release builds. The methods here (`plus`, `times`, ...) and the
 //! operators of [`Vec2`](crate::Vec2) keep the laws.
+//!
+//! ```
+//! use fixstep::{Scalar, fixed::types::I8F24};
+//! let a = I8F24::lit("100");
+//! assert_eq!(a.plus(a), I8F24::MAX); // saturates
+//! assert_eq!(100.0_f32.plus(100.0), 200.0);
+//! ```
 
 mod angular;
 mod carry;
@@ -41,7 +48,13 @@ pub use gain::Gain;
 pub use rational::Rational;
 pub use stored::Stored;
 
-/// A pure number that multiplies a scalar; kept with its own precision and rounded once per use.
+/// A number that multiplies a scalar. It has its own precision, and each product is rounded once.
+///
+/// ```
+/// use fixstep::{Scalar, dec, fixed::types::I16F16, scalar::Factor};
+/// let half: <I16F16 as Scalar>::Coef = Factor::<I16F16>::new(dec!(0.5)).unwrap();
+/// assert_eq!(half.scale(I16F16::lit("3")), 1.5);
+/// ```
 pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
     /// The factor nearest to `ratio`; `None` if it is out of range or would become zero.
     /// Zero itself is allowed where the factor may be zero.
@@ -57,8 +70,17 @@ pub trait Factor<S>: Copy + Debug + PartialEq + 'static {
     fn to_f64(self) -> f64;
 }
 
-/// A number type whose sums lose no bit: where `a.plus(b)` is [inside](Scalar::is_inside), taking b away
-/// leads back to `a`, in whatever order several were added. True of fixed point; a float rounds its sums.
+/// A number type whose sums lose no bit. Where `a.plus(b)` is [inside](Scalar::is_inside), subtracting
+/// `b` gives `a` again, in any order of several sums. Fixed point is exact; a float rounds its sums.
+///
+/// ```
+/// use fixstep::{Exact, Scalar, fixed::types::I16F16};
+/// fn comes_back<S: Exact>(a: S, b: S) -> bool {
+///     a.plus(b).minus(b) == a
+/// }
+/// assert!(comes_back(I16F16::lit("0.1"), I16F16::lit("1000")));
+/// assert!(0.1_f32.plus(1000.0).minus(1000.0) != 0.1);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a world in `{Self}` cannot go back: its sums round",
     note = "sums of fixed point lose nothing"
@@ -76,7 +98,7 @@ pub trait Exact: Scalar {}
 pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// A coefficient: stiffness, drag, their products with `h`. May be zero or negative.
     type Coef: Factor<Self>;
-    /// A length of time below a quarter second, for the hot loop `x += h v`. Never zero.
+    /// A *span* is a length of time below a quarter second, for the hot loop `x += h v`. Never zero.
     type Span: Factor<Self>;
     /// One over a mass. Never zero; no larger than the scalar.
     type InvMass: Factor<Self> + Into<Self::Coef>;
@@ -94,7 +116,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     /// Coefficients below 2 to this power can be held; at most 62.
     const COEF_BITS: u32;
 
-    /// A span just below `ratio` and one just above, for use by turns; floats have but one.
+    /// A span just below `ratio` and one just above, used alternately. Floats have one only, twice.
     #[must_use]
     fn spans(ratio: Ratio) -> Option<[Self::Span; 2]> {
         let span = Self::Span::new(ratio)?;
@@ -130,7 +152,7 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     #[must_use]
     fn gain(self, h: Self::Coef) -> Self::Gain;
 
-    /// The part of a gain that falls to `tick`: the values of ticks `0..n` sum to n times the
+    /// The part of a gain that is added at `tick`. The values of ticks `0..n` sum to n times the
     /// gain, rounded once. Floats return the gain itself.
     #[must_use]
     fn gained(gain: Self::Gain, tick: u64) -> Self;
@@ -169,8 +191,8 @@ pub trait Scalar: Copy + PartialOrd + Debug + 'static {
     #[must_use]
     fn product(a: Self::Coef, b: Self::Coef) -> Self::Coef;
 
-    /// `loss * self`, what the value loses on its way to zero; at least one unit in fixed point, so
-    /// that it gets there. For a loss from 0 to 1.
+    /// `loss * self`: what a decaying value loses, for a loss from 0 to 1. In fixed point it is at
+    /// least one unit, unless the loss is zero, so that the value reaches zero.
     #[inline]
     #[must_use]
     fn lost(self, loss: Self::Coef) -> Self {

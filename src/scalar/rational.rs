@@ -1,7 +1,7 @@
 //! Scalars as exact fractions: each is a whole number times a power of two.
 //!
-//! For what is worked out at start-up in integers. No float arithmetic is done: a float is taken
-//! apart into the bits that stand for its sign, exponent and fraction.
+//! For values computed at start-up in integers. It does no float arithmetic: it reads the sign,
+//! exponent and fraction of a float from its bits.
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -9,8 +9,7 @@ use fixed::{FixedI32, FixedI64};
 use super::Scalar;
 use crate::ratio::Ratio;
 
-/// A number type whose numbers are fractions. Implement it for a number type of your own, and
-/// [shapes](crate::mass) take it.
+/// A number type whose numbers are fractions. [Shapes](crate::mass) accept every type that implements it.
 ///
 /// ```
 /// use fixstep::{dec, fixed::types::I16F16, Rational};

@@ -1,14 +1,22 @@
-//! Numbers as the bits they are, for snapshots.
+//! Numbers as bits, for snapshots.
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
 use super::factor::{Coef, InvMass};
 
-/// A number that a snapshot can hold. Implement it for a number type of your own, and for its
-/// inverse mass, and its worlds can be saved; for its coefficients too, where bodies turn.
+/// A number that a snapshot can hold. To save worlds of your own number type, implement it for that
+/// type and its inverse mass. For bodies that rotate, implement it for its coefficients too.
+///
+/// ```
+/// use fixstep::{Stored, fixed::types::I16F16};
+/// let x = I16F16::lit("-1.5");
+/// assert_eq!(x.store(), 0xFFFE_8000);
+/// assert_eq!(I16F16::restore(0xFFFE_8000), Some(x));
+/// assert_eq!(I16F16::restore(1 << 32), None);
+/// ```
 pub trait Stored: Copy {
-    /// Tells number types apart. Yours starts at `0x8000_0000`.
+    /// Identifies the number type. Values for your own types start at `0x8000_0000`.
     const FORMAT: u32;
 
     /// Bytes it takes, 8 at most.
@@ -18,7 +26,7 @@ pub trait Stored: Copy {
     #[must_use]
     fn store(self) -> u64;
 
-    /// The number of these bits; `None` where no number has them.
+    /// The number that has these bits; `None` where no number has them.
     #[must_use]
     fn restore(bits: u64) -> Option<Self>;
 }
@@ -78,7 +86,7 @@ macro_rules! fixed_point {
 fixed_point!(FixedI32<LeEqU32>, i32, u32);
 fixed_point!(FixedI64<LeEqU64>, i64, u64);
 
-/// As a fraction makes it, and no other is read: its mantissa has as many bits as it can have, or it is zero.
+/// Reads only what `new` makes from a fraction: a mantissa of the full number of bits, or zero.
 impl Stored for Coef<i32> {
     const FORMAT: u32 = 0x0400_0000 | i32::BITS;
     const BYTES: usize = 5;

@@ -6,13 +6,13 @@
 //! cos(π y/4) = 1 - z (c1 - z (c2 - z (c3 - z c4)))
 //! ```
 //!
-//! A quarter turn is a power of two, so what is left of it is a shift of the angle, and exact. The coefficients
+//! A quarter turn is a power of two, so the remainder is a shift of the angle, and exact. The coefficients
 //! are those of the polynomials in z that agree with `sin(π y/4) / y` at the five zeros of the Chebyshev
 //! polynomial on 0..1, and with `(1 - cos(π y/4)) / z` at the four: off by at most 0.004 and 0.21 units of 2^-30.
 //! Then each was moved by a few of its own units, where that made the largest error of the integers less.
 //!
-//! All symmetries are exact. `z` is the same for y and -y. What y is multiplied by is odd, so that this product is a
-//! tie nowhere, and rounding half up is symmetric. At an eighth of a turn both polynomials give the same.
+//! All symmetries are exact. `z` is the same for y and -y. The factor of y is odd. So this product is never a
+//! tie, and rounding half up is symmetric. At an eighth of a turn both polynomials give the same.
 
 use core::ops::Neg;
 
@@ -24,7 +24,7 @@ pub(super) fn circle_u32(angle: u32) -> [i32; 2] {
     // In units of 2^-31, from -1 to just below 1; its square in units of 2^-30.
     let y = (angle << 2) as i32;
     let z = high_product_i32(y, y);
-    // The last terms need no more of it: a product of 32 bits.
+    // For the last terms 16 bits of z are enough: a product of 32 bits.
     let coarse = z >> 16;
 
     // A sum is in units four times finer than what z times it is taken from, but for shifts. The
@@ -65,7 +65,7 @@ pub(super) fn circle_u64(angle: u64) -> [i64; 2] {
     turned([cos, sin], (angle.wrapping_add(1 << 61) >> 62) as u32)
 }
 
-/// A direction turned by so many quarters.
+/// A direction rotated by so many quarter turns.
 #[inline(always)]
 fn turned<T: Neg<Output = T>>([cos, sin]: [T; 2], quarters: u32) -> [T; 2] {
     match quarters & 3 {

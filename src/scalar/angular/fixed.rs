@@ -1,4 +1,4 @@
-//! Angles beside fixed point: a spin of F fractional bits is `2^-F` turns a second.
+//! Angles for fixed point: a spin of F fractional bits is `2^-F` turns a second.
 //!
 //! ```text
 //! m / 2^k s  ·  n 2^-F turns/s  =  n m / 2^(k + F - 32)  units of 2^-32 turns

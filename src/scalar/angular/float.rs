@@ -1,5 +1,5 @@
 //! Angles beside floats: counted as beside fixed point, so that they wrap exactly and lose nothing
-//! however far a body has turned.
+//! however far a body has rotated.
 
 use super::circle::{circle_u32, circle_u64};
 use super::{Angular, CarryAngular};

@@ -1,10 +1,10 @@
-//! Number types in which bodies turn: what an angle, a sine and a torque are to them.
+//! Number types for bodies that rotate: their angles, sines and torques.
 //!
-//! A spin is a number of turns a second, so that a step adds a fraction of a turn to an angle: at a dyadic
-//! rate a shift, and exact. In radians it would be a product with `1/2π` that nothing holds. What π there is
-//! stands in coefficients: of a moment of inertia (`1 / 2πI`) and of a speed (`2π r`).
+//! A spin is a number of turns a second. A step adds a fraction of a turn to an angle; at a dyadic rate
+//! this is a shift, and exact. In radians it would be a product with `1/2π`, which no number type holds exactly.
+//! π stands only in the coefficients for a moment of inertia (`1 / 2πI`) and a speed (`2π r`).
 //!
-//! `angular_fixed.rs` and `angular_float.rs` say how.
+//! `fixed.rs` and `float.rs` have the derivations.
 
 mod circle;
 mod fixed;
@@ -17,7 +17,15 @@ use super::{Carry, Scalar};
 
 pub use turns::Turns;
 
-/// A number type in which bodies can turn.
+/// A number type in which bodies can rotate.
+///
+/// ```
+/// use fixstep::{Angular, dec, fixed::types::I16F16, scalar::Turns};
+/// let quarter: u32 = Turns::nearest(dec!(0.25));
+/// let v = [I16F16::lit("3"), I16F16::lit("0")];
+/// let [x, y] = I16F16::rotated(I16F16::circle(quarter), v);
+/// assert!(x == 0 && y == 3);
+/// ```
 pub trait Angular: Scalar {
     /// An angle, all bits of which are a fraction of a turn.
     type Turns: Turns;
@@ -28,7 +36,7 @@ pub trait Angular: Scalar {
     /// `2π`.
     const TAU: Self::Coef;
 
-    /// The inverse mass of what no force moves: zero.
+    /// The inverse mass of a body that no force moves: zero.
     const INFINITE_MASS: Self::InvMass;
 
     /// `angle + h/2^halvings * spin`: nearest, odd; `halvings` is 0 or 1.
@@ -49,7 +57,7 @@ pub trait Angular: Scalar {
     #[must_use]
     fn circle(angle: Self::Turns) -> [Self::Unit; 2];
 
-    /// `v` turned by the angle of that cosine and sine: each part rounded once, saturating.
+    /// `v` rotated by the angle of that cosine and sine: each component rounded once, saturating.
     #[must_use]
     fn rotated(circle: [Self::Unit; 2], v: [Self; 2]) -> [Self; 2];
 
@@ -66,12 +74,20 @@ pub trait Angular: Scalar {
     fn weighed(sum: Self::Sum, factor: Self::Coef) -> Self;
 }
 
-/// The same with remainders.
+/// A number type in which bodies can rotate and be *carried*: they keep what rounding loses.
+///
+/// ```
+/// use fixstep::{Carry, CarryAngular, dec, fixed::types::I16F16, scalar::Turns};
+/// let quarter: u32 = Turns::nearest(dec!(0.25));
+/// let spin = (I16F16::lit("1"), I16F16::NO_REMAINDER); // one turn a second
+/// let half = I16F16::fine_rotated_dyadic(I16F16::fine(quarter), spin, 1, 2); // 1/4 s
+/// assert_eq!(I16F16::coarse(half), u32::nearest(dec!(0.5)));
+/// ```
 pub trait CarryAngular: Angular + Carry {
-    /// An angle with what turns left over.
+    /// A fine angle: an angle with its rounding remainder.
     type Fine: Copy + Debug + Eq + 'static;
 
-    /// An angle with nothing left over.
+    /// The fine angle whose remainder is zero.
     #[must_use]
     fn fine(angle: Self::Turns) -> Self::Fine;
 

@@ -1,16 +1,23 @@
-//! An angle as a count of parts of a turn, which wraps where the turn does.
+//! An angle as an integer fraction of a turn. It wraps exactly at a full turn.
 
 use core::fmt::Debug;
 use core::num::NonZero;
 
 use crate::ratio::Ratio;
 
-/// A fraction of a turn: all bits of an integer, so that sums wrap exactly.
+/// A fraction of a turn. It uses all bits of an integer, so that sums wrap exactly.
+///
+/// ```
+/// use fixstep::{dec, scalar::Turns};
+/// let angle = u32::nearest(dec!(0.75));
+/// assert_eq!(angle.to_f64(), -0.25);
+/// assert_eq!(angle.plus(angle), u32::nearest(dec!(0.5))); // 1.5 turns wrap to 0.5
+/// ```
 pub trait Turns: Copy + Debug + Eq + 'static {
-    /// No angle.
+    /// The zero angle.
     const ZERO: Self;
 
-    /// The fraction of a turn nearest to `turns`; whole turns fall away.
+    /// The fraction of a turn nearest to `turns`; whole turns are dropped.
     #[must_use]
     fn nearest(turns: Ratio) -> Self;
 
@@ -30,7 +37,7 @@ pub trait Turns: Copy + Debug + Eq + 'static {
     #[must_use]
     fn bits(self) -> u64;
 
-    /// The angle of these bits; `None` where it has fewer.
+    /// The angle with these bits; `None` where they do not fit.
     #[must_use]
     fn from_bits(bits: u64) -> Option<Self>;
 }
@@ -40,7 +47,7 @@ macro_rules! turns {
         impl Turns for $unsigned {
             const ZERO: $unsigned = 0;
 
-            // The rest is below the denominator, of 62 bits at most. Odd, as rounding is.
+            // The remainder is below the denominator, of 62 bits at most. Odd, as rounding is.
             #[inline(always)]
             fn nearest(turns: Ratio) -> $unsigned {
                 let Some(den) = NonZero::new(turns.den() as u128) else {

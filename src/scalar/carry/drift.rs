@@ -1,10 +1,10 @@
-//! Positions of 64 bits that move by products: what a drift adds to one.
+//! Positions of 64 bits: what a drift adds to them.
 
 use super::fine::{FINE, rounded, scaled};
 use crate::scalar::integer::product_i32;
 
-/// `position + change` for a change that leaves its upper word room for one more. The upper word
-/// saturates alone: there the lower one no longer matters.
+/// `position + change`; the upper word of `change` must have room for one more. Only the upper word
+/// saturates: the lower one no longer matters there.
 #[inline]
 pub(super) fn advanced(position: i64, change: i64) -> i64 {
     let (low, carry) = (position as u32).overflowing_add(change as u32);

@@ -57,7 +57,7 @@ impl<F: LeEqU32> Carry for FixedI32<F> {
 
     // m / 2^(32 + s) in units of 2^-32 is a whole number and a fraction. The fraction is made odd,
     // by 2^-32 of such a unit, so that its product never lies half-way: see `factor.rs`. The
-    // rest of the velocity takes 2^-15 of the whole number, rounded: 11 bits at 60 Hz, 7 at 1 kHz.
+    // remainder of the velocity takes 2^-15 of the whole number, rounded: 11 bits at 60 Hz, 7 at 1 kHz.
     // It is at most 2^14, the number 2^30: so that part is at most 2^29, the product's 2^30, and 32 bits do.
     #[inline]
     fn drifted(position: i64, (v, remainder): (Self, i16), h: Coef<i32>, halvings: u32) -> i64 {

@@ -1,12 +1,12 @@
-//! Remainders of floats: what a sum has too much, to be taken from the next (Kahan).
+//! Remainders of floats: the excess of a sum, subtracted from the next one (Kahan).
 //!
 //! Source: Kahan, "Further remarks on reducing truncation errors", Comm. ACM 8 (1965).
 
 use super::Carry;
 use crate::scalar::Scalar;
 
-/// The upper half of the bits of an excess, rounded: it is small beside its sum, and the digits that
-/// are left are enough.
+/// The upper half of the bits of an excess, rounded. The excess is small compared with its sum, so
+/// these digits are enough.
 macro_rules! short {
     ($bits:ident, $remainder:ident, $excess:expr) => {{
         const HALF: u32 = $bits::BITS / 2;
@@ -23,7 +23,7 @@ macro_rules! long {
 macro_rules! float_carry {
     ($float:ident, $bits:ident, $remainder:ident) => {
         impl Carry for $float {
-            /// The sum, and what it has too much.
+            /// The sum and its excess.
             type FinePosition = [$float; 2];
             type Remainder = $remainder;
 

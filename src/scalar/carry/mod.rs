@@ -1,6 +1,6 @@
-//! What roundings leave over, kept: for a body that loses nothing to them.
+//! Rounding remainders for *carried* bodies, which keep what rounding loses.
 //!
-//! `carry_fixed.rs` and `carry_float.rs` say what a number type keeps.
+//! `fixed.rs` and `float.rs` say what a number type keeps.
 
 mod drift;
 pub(super) mod fine;
@@ -9,25 +9,35 @@ mod float;
 
 use super::Scalar;
 
-/// A number type whose roundings can be kept.
+/// A number type for *carried* bodies, which keep what rounding loses.
+///
+/// ```
+/// use fixstep::{Carry, fixed::types::I16F16};
+/// let slow = I16F16::DELTA; // one unit a second
+/// let mut x = I16F16::ZERO.fine_position();
+/// for _ in 0..64 {
+///     x = I16F16::moved_dyadic(x, slow, 1, 6); // 1/64 s
+/// }
+/// assert_eq!(I16F16::seen(x), slow);
+/// ```
 pub trait Carry: Scalar {
-    /// A position with what moves left over.
+    /// A fine position: a position with its rounding remainder.
     type FinePosition: Copy + core::fmt::Debug + PartialEq + 'static;
 
-    /// What kicks left over of a velocity.
+    /// The rounding remainder of a velocity.
     type Remainder: Copy + core::fmt::Debug + PartialEq + 'static;
 
-    /// Nothing left over.
+    /// The remainder zero.
     const NO_REMAINDER: Self::Remainder;
 
     /// Bytes of a remainder in a snapshot.
     const REMAINDER_BYTES: usize;
 
-    /// A position with nothing left over.
+    /// The fine position whose remainder is zero.
     #[must_use]
     fn fine_position(self) -> Self::FinePosition;
 
-    /// The position nearest to a position.
+    /// The position nearest to a fine position.
     #[must_use]
     fn seen(position: Self::FinePosition) -> Self;
 
@@ -96,8 +106,8 @@ pub trait Carry: Scalar {
     #[must_use]
     fn reversed(kept: (Self, Self::Remainder)) -> (Self, Self::Remainder);
 
-    /// The same after losing `loss` of both, for a loss from 0 to 1: towards rest and never past it.
-    /// In fixed point at least one unit of the remainder goes, so that a body comes to remainder.
+    /// The same after losing `loss` of both, for a loss from 0 to 1: towards zero and never past it.
+    /// In fixed point at least one unit of the remainder is lost, so that the velocity reaches zero.
     #[must_use]
     fn damped(kept: (Self, Self::Remainder), loss: Self::Coef) -> (Self, Self::Remainder);
 
@@ -110,11 +120,11 @@ pub trait Carry: Scalar {
         inv_mass: Self::InvMass,
     ) -> [(Self, Self::Remainder); 2];
 
-    /// Its momentum, remainder and all; exact in fixed point.
+    /// The momentum of a velocity with its remainder; exact in fixed point.
     #[must_use]
     fn momentum(kept: (Self, Self::Remainder), inv_mass: Self::InvMass) -> f64;
 
-    /// What a position holds beyond the position that is seen, for a hash: equal for equal places.
+    /// What a position holds beyond the position that is seen, for a hash: equal for equal fine positions.
     #[must_use]
     fn left_over(position: Self::FinePosition) -> u64;
 

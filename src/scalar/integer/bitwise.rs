@@ -38,7 +38,7 @@ pub(in crate::scalar) fn root_u64(n: u64) -> (u32, u32) {
     (root, words + up)
 }
 
-/// Quotient and rest for a divisor below `2^31`; `None` where the quotient does not fit.
+/// Quotient and remainder for a divisor below `2^31`; `None` where the quotient does not fit.
 pub(in crate::scalar) fn divide_short(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
     let (mut rest, mut low, mut bits) = ((n >> 32) as u32, n as u32, 32);
     if rest >= divisor.get() {

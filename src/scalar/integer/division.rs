@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! n = a B² + b B + c      B = 2^16, then 2^8;  one of the highest two bits is set
-//! root a = s, rest r;  (r B + b) / 2 s = q, rest u
-//! root n = s B + q, rest u B + c - q²; one less where that is negative
+//! root a = s, remainder r;  (r B + b) / 2 s = q, remainder u
+//! root n = s B + q, remainder u B + c - q²; one less where that is negative
 //! ```
 //!
 //! Source of the root: Zimmermann, "Karatsuba Square Root", INRIA RR-3805 (1999). The quotient is
@@ -31,7 +31,7 @@ pub(in crate::scalar) fn root_u64(n: u64) -> (u32, u32) {
     let half = (r << 15) + (b >> 1);
     let divisor = s | 1 << 15;
     let (q, u) = (half / divisor, (half % divisor) << 1 | b & 1);
-    // q is at most 2^16, for r is at most 2 s; a rest u from 2^16 on is at least q². So 32 bits compare.
+    // q is at most 2^16, for r is at most 2 s; a remainder u from 2^16 on is at least q². So 32 bits compare.
     let less = u >> 16 == 0 && (q >> 16 != 0 || (u << 16 | c) < q * q);
     let root = (s << 16).wrapping_add(q).wrapping_sub(less as u32);
     (root, words + up)
@@ -71,7 +71,7 @@ fn root_u16(n: u32) -> (u32, u32) {
     (s, rest)
 }
 
-/// Quotient and rest; `None` where the quotient does not fit.
+/// Quotient and remainder; `None` where the quotient does not fit.
 #[inline]
 pub(in crate::scalar) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
     let (high, low) = ((n >> 32) as u32, n as u32);
@@ -88,7 +88,7 @@ pub(in crate::scalar) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u3
     Some((quotient, rest >> up))
 }
 
-/// `(high 2^16 + low) / divisor` with its rest, for a divisor with its highest bit set and a smaller
+/// `(high 2^16 + low) / divisor` with its remainder, for a divisor with its highest bit set and a smaller
 /// `high`. The digit that the divisor's upper half gives is at most two too large.
 #[inline]
 fn digit(high: u32, low: u32, divisor: u32) -> (u32, u32) {
@@ -112,7 +112,7 @@ pub(crate) type Word = u64;
 #[cfg(not(target_pointer_width = "64"))]
 pub(crate) type Word = u32;
 
-/// Quotient and rest of words; on cores that cannot divide `None` for a divisor from 2^31 on.
+/// Quotient and remainder of words; on cores that cannot divide `None` for a divisor from 2^31 on.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline]
 pub(crate) fn divide_words(n: Word, divisor: NonZero<Word>) -> Option<(Word, Word)> {

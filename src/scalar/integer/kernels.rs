@@ -1,4 +1,4 @@
-//! The kernels of [`Raw`] for the integers under fixed point.
+//! The kernels of [`Raw`] for the integers that store fixed point.
 
 use core::num::NonZero;
 
@@ -85,7 +85,7 @@ macro_rules! raw {
             }
 
             // The shift floors. Half a unit more makes it nearest with ties up; one less below
-            // zero sends those ties down. In halves: shifts of a wide number are dear on small
+            // zero sends those ties down. In halves: shifts of a wide number are slow on small
             // cores, and a shift beyond the lower half cannot leave the range.
             #[inline]
             fn rounded(wide: $wide, shift: u32) -> $raw {

@@ -1,4 +1,4 @@
-//! What fixed point asks of its storage: a wide result, rounded once, clamped. `kernels` has what each integer does.
+//! What fixed point needs from its storage integer: a wide result, rounded once, clamped. `kernels` implements it.
 
 #[cfg_attr(
     not(all(target_arch = "arm", not(target_has_atomic = "32"))),
