@@ -270,13 +270,15 @@ fn a_coefficient_beyond_all_types_is_refused() {
 }
 
 #[test]
-fn prices_are_those_of_the_readme() {
-    const README: &str = include_str!("../../README.md");
+fn prices_are_those_of_the_pages() {
     for (scheme, step, dyadic) in report::PRICES {
         assert!(scheme == Scheme::Verlet || scheme == Scheme::SemiImplicitEuler);
         for (length, [m0, m4]) in [("1/60", step), ("1/64", dyadic)] {
             let row = format!("| I16F16 | {length} | {scheme:?} | {m0:.1} | {m4:.1} | ");
-            assert!(README.contains(&row), "the README does not say: {row}");
+            assert!(
+                support::pages::pages().contains(&row),
+                "no page says: {row}"
+            );
         }
     }
 }

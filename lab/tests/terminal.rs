@@ -45,7 +45,6 @@ use series::{Series, coinciding, measure};
 use support::*;
 
 const CSV: &str = include_str!("../examples/terminal/terminal.csv");
-const README: &str = include_str!("../../README.md");
 
 /// All that the example measures, once.
 fn measured() -> &'static [Series] {
@@ -59,10 +58,16 @@ fn the_committed_file_is_what_the_example_makes() {
 }
 
 #[test]
-fn the_readme_shows_the_table() {
-    assert!(README.contains(table::HEAD), "no table of terminal speeds");
+fn a_page_shows_the_table() {
+    assert!(
+        support::pages::pages().contains(table::HEAD),
+        "no table of terminal speeds"
+    );
     for row in table::rows(measured()) {
-        assert!(README.contains(&row), "the README does not say: {row}");
+        assert!(
+            support::pages::pages().contains(&row),
+            "no page says: {row}"
+        );
     }
 }
 

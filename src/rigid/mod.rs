@@ -7,7 +7,7 @@
 //!
 //! A [`Rigid`] is a body of rung one, its centre of mass, with a [rotor]. It has all the verbs of its centre,
 //! so worlds, methods and forces of rung one move it as they move points; what is about rotation is
-//! [`Rotating`], and [`torque`](crate::rigid::torque) has the forces that turn.
+//! [`Rotating`], and [`torque`] has the forces that turn.
 //!
 //! Source: Hecker, "Physics, Part 2: Angular Effects" (Game Developer, 1996).
 

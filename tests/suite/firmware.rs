@@ -1,4 +1,4 @@
-//! The committed figures of the firmware: the host makes the same bits, and the README the same
+//! The committed figures of the firmware: the host makes the same bits, and the pages the same
 //! numbers. The figures themselves come from `examples/firmware/run`.
 
 #[path = "../firmware/scenes/mod.rs"]
@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use std::fmt::Write;
 use std::sync::OnceLock;
 
+use crate::support::pages::{pages, table};
 use fixstep::fixed::types::I16F16;
 use fixstep::{Body, Carried, Error, Force, Method, Point, TimeStep};
 use scenes::{
@@ -18,7 +19,6 @@ const RESULTS: &str = include_str!("../firmware/results.tsv");
 /// Names a table to look at instead, which may have some of the targets.
 const MEASURED: &str = "FIRMWARE_RESULTS";
 const ARCHITECTURE: &str = include_str!("../../ARCHITECTURE.md");
-const README: &str = include_str!("../../README.md");
 
 const TARGETS: [&str; 5] = [
     "thumbv6m-none-eabi",
@@ -184,19 +184,14 @@ fn rounded(figure: &str) -> String {
     figure.parse::<f64>().unwrap().round().to_string()
 }
 
-/// Cells of the rows of a table of the README, which begins with `header`.
-fn table(text: &'static str, header: &str) -> Vec<Vec<&'static str>> {
-    let mut lines = text.lines().skip_while(|line| !line.starts_with(header));
-    assert!(lines.next().is_some(), "no table {header}");
-    let rows = lines.skip(1).take_while(|line| line.starts_with('|'));
-    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect()
-}
-
+/// The whole table, and the short one of the README.
 #[test]
-fn the_readme_says_what_a_step_costs() {
-    let told = table(README, "| body | step | method | M0+ | M4F |");
+fn the_pages_say_what_a_step_costs() {
+    let told = table(pages(), "| body | step | method | M0+ | M4F |");
     assert_eq!(told.len(), 20);
+    let short = table(pages(), "| number type | step, s | method | M0+ | M4F |");
+    assert_eq!(short.len(), 9);
+    let told = told.into_iter().chain(short);
     for cells in told {
         let [body, step, method, costs @ ..] = &cells[..] else {
             panic!("{cells:?}");
@@ -211,8 +206,8 @@ fn the_readme_says_what_a_step_costs() {
 
 /// Beside each core there is a column that was counted by hand.
 #[test]
-fn the_readme_says_what_a_step_of_a_body_that_turns_costs() {
-    let told = table(README, "| body that turns | step | method |");
+fn the_pages_say_what_a_step_of_a_body_that_turns_costs() {
+    let told = table(pages(), "| body that turns | step | method |");
     assert_eq!(told.len(), 9);
     for cells in told {
         let &[
@@ -245,13 +240,13 @@ fn the_readme_says_what_a_step_of_a_body_that_turns_costs() {
 }
 
 #[test]
-fn the_readme_says_what_a_force_costs() {
+fn the_pages_say_what_a_force_costs() {
     forces_cost("| | for each | M0+ I16F16 |", 14 + 4, "");
     forces_cost("| of a body that turns | for each |", 4 + 3, " rigid");
 }
 
 fn forces_cost(header: &str, rows: usize, of: &str) {
-    let told = table(README, header);
+    let told = table(pages(), header);
     assert_eq!(told.len(), rows);
     for cells in told {
         let [name, _, costs @ ..] = &cells[..] else {
@@ -280,8 +275,8 @@ fn forces_cost(header: &str, rows: usize, of: &str) {
 }
 
 #[test]
-fn the_readme_says_what_a_feature_takes_in_flash_and_ram() {
-    let told = table(README, "| the scene, and | M0+ | M4F |");
+fn the_pages_say_what_a_feature_takes_in_flash_and_ram() {
+    let told = table(pages(), "| the scene, and | M0+ | M4F |");
     let flash = rows().into_iter();
     let of_m0 = flash.filter(|row| row["target"] == M0 && row["scene"].starts_with("flash"));
     assert_eq!(told.len(), of_m0.count());
@@ -339,22 +334,19 @@ fn ram_more(name: &str) -> String {
 }
 
 #[test]
-fn the_readme_says_what_the_scene_takes() {
+fn the_pages_say_what_the_scene_takes() {
     let of = |column| figure(M0, "gravity 1/64", "I16F16", "SemiImplicitEuler", column);
-    let text = README.replace('\n', " ");
+    let text = pages().replace('\n', " ");
     for sentence in [
         format!("takes {} bytes of flash", of("flash_bytes")),
         format!("{} bytes of RAM", of("ram_bytes")),
         format!("{} bytes of stack", of("stack_bytes")),
     ] {
-        assert!(
-            text.contains(&sentence),
-            "the README does not say: {sentence}"
-        );
+        assert!(text.contains(&sentence), "no page says: {sentence}");
     }
 }
 
-/// The tables of methods in the README and in the documentation, columns 9 and 10.
+/// The tables of methods on the page of costs and in the documentation, columns 9 and 10.
 #[test]
 fn the_tables_of_methods_say_what_they_cost() {
     let documentation = include_str!("../../src/integrate/mod.rs");
@@ -367,18 +359,25 @@ fn the_tables_of_methods_say_what_they_cost() {
         "Pefrl",
     ] {
         let said = [
-            (README, format!("| `{method}` |")),
-            (documentation, format!("//! | [`{method}`] |")),
+            (
+                pages(),
+                "| method | order | force calls |",
+                format!("`{method}`"),
+            ),
+            (
+                documentation,
+                "//! | method | order | force calls |",
+                format!("//! | [`{method}`]"),
+            ),
         ];
-        for (text, start) in said {
-            let row = text.lines().find(|line| line.starts_with(&start));
-            let cells: Vec<_> = row
-                .unwrap_or_else(|| panic!("{start}"))
-                .split('|')
-                .collect();
+        for (text, header, name) in said {
+            let mut rows = text.lines().skip_while(|line| !line.starts_with(header));
+            let row = rows.find(|line| line.trim_start_matches("| ").starts_with(&name));
+            let row = row.unwrap_or_else(|| panic!("{name}"));
+            let cells: Vec<_> = row.split('|').collect();
             for (cell, core) in [cells[9], cells[10]].into_iter().zip([M0, M4F]) {
                 let cost = rounded(each(core, "gravity 1/60", "I16F16", method));
-                assert_eq!(cell.trim(), cost, "{start}");
+                assert_eq!(cell.trim(), cost, "{name}");
             }
         }
     }

@@ -8,7 +8,6 @@ use crate::starts::Plan;
 use crate::table::Table;
 use crate::verdict::{At60, at_60_hz, recommended};
 
-const README: &str = include_str!("../../../README.md");
 const MINUTE: &str = include_str!("../../examples/charts/minute.csv");
 const WORK: [(&str, &str); 7] = [
     (
@@ -120,7 +119,7 @@ fn least_explicit(core: Core, rows: &[Row], price: f64) -> [f64; 2] {
     [least(price), least(f64::INFINITY)]
 }
 
-/// What the README says of flows: in carried I8F24 at 15 Hz nothing explicit is as exact at any rate; for the
+/// What the page of accuracy says of flows: in carried I8F24 at 15 Hz nothing explicit is as exact at any rate; for the
 /// price of one in a recommended point, what is explicit errs by 5 cm or more.
 #[test]
 fn nothing_explicit_is_as_exact_as_a_flow_for_its_price() {
@@ -168,9 +167,9 @@ fn tables_are_whole_and_have_the_costs_of_the_firmware() {
     assert!(missing.unwrap_err().contains(row));
 }
 
-/// The table of the README, from its head to the blank line, is that of the committed file.
+/// The table of a page, from its head to the blank line, is that of the committed file.
 #[test]
-fn the_readme_shows_the_minute() {
+fn a_page_shows_the_minute() {
     let mut table = Table {
         name: "minute",
         keys: minute_table::KEYS,
@@ -178,7 +177,7 @@ fn the_readme_shows_the_minute() {
         rows: Vec::new(),
     };
     table.rows = table.read(MINUTE).unwrap();
-    let (_, below) = README
+    let (_, below) = fixstep_lab::support::pages::pages()
         .split_once(minute_table::HEAD)
         .expect("no table of the minute");
     let shown: Vec<&str> = below.lines().take_while(|line| !line.is_empty()).collect();

@@ -12,10 +12,12 @@ mod momentum;
 #[path = "carry/spring.rs"]
 mod spring;
 
-/// Median and maximum of the errors of a body, in two columns of the README's table of long runs.
+/// Median and maximum of the errors of a body, in two columns of the table of long runs.
 fn told(body: &str, column: usize, errors: &[f64]) {
-    let readme = include_str!("../../../docs/accuracy.md");
-    let table = readme.split("### Long runs").nth(1).unwrap();
+    let table = support::pages::pages()
+        .split("### Long runs")
+        .nth(1)
+        .unwrap();
     let row = table
         .lines()
         .find(|line| line.starts_with(&format!("| `{body}` |")));

@@ -2,6 +2,8 @@
 //! type, start values, and a report that NaN cannot pass.
 #![allow(dead_code)]
 
+pub mod pages;
+
 use fixstep::fixed::types::extra::{LeEqU32, LeEqU64};
 use fixstep::fixed::{FixedI32, FixedI64};
 use fixstep::{
