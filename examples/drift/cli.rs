@@ -38,6 +38,11 @@ pub struct Options {
     #[arg(allow_negative_numbers = true)]
     pub seconds: Option<f64>,
 
+    /// Print every scene, method and type, with the parts of each error, instead of the summary. So does
+    /// a choice of methods or scalars
+    #[arg(long)]
+    pub full: bool,
+
     /// Folder for drift.csv and the pictures
     #[arg(long, value_name = "DIR", default_value = "target/drift")]
     pub out: PathBuf,
@@ -74,6 +79,7 @@ impl Options {
                 error.exit()
             }
         })?;
+        options.full |= !(options.method.is_empty() && options.scalar.is_empty());
         if options.scene.is_empty() {
             options.scene = scene::ALL.iter().collect();
         }

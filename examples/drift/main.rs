@@ -9,7 +9,8 @@
 //! | `run` | one run through `World::step` |
 //! | `compare` | the error, and its three parts |
 //! | `work` | all runs, on all cores |
-//! | `table`, `csv`, `picture` | what is shown |
+//! | `summary` | one screen: the best type of each scene, and a conclusion |
+//! | `table`, `csv`, `picture` | all figures |
 
 mod cli;
 mod compare;
@@ -19,6 +20,7 @@ mod picture;
 mod represent;
 mod run;
 mod scene;
+mod summary;
 mod table;
 mod work;
 
@@ -45,12 +47,17 @@ fn drift(options: &Options) -> Result<(), String> {
     let file = File::create(options.out.join("drift.csv")).map_err(unwritable)?;
 
     let cases = work::compare_all(options).map_err(|error| error.to_string())?;
-    print(&table::report(options, &cases));
+    print(&match options.full {
+        true => table::report(options, &cases),
+        false => summary::report(options, &cases),
+    });
     csv::write(BufWriter::new(file), &cases).map_err(unwritable)?;
     picture::draw_all(&options.out, options, &cases)
         .map_err(|error| format!("cannot draw into {folder}: {error}"))?;
+    let first = options.scene.first().map_or("", |scene| scene.name);
     print(&format!(
-        "\nWritten: drift.csv and a picture of each scene, in {folder}\n"
+        "\nOpen {folder}/{first}.png: how the errors grow. Each scene has a picture.\n\
+         All figures: {folder}/drift.csv, or print them with `--full`.\n"
     ));
     Ok(())
 }

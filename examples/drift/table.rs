@@ -81,7 +81,7 @@ fn layout<T: AsRef<str>>(labels: [&str; 4], figures: impl IntoIterator<Item = T>
 }
 
 /// Two digits; 'out' for what is not finite.
-fn figure(value: f64) -> String {
+pub fn figure(value: f64) -> String {
     match value {
         0.0 => "0".to_string(),
         value if value.is_finite() => format!("{value:.1e}"),

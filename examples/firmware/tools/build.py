@@ -158,7 +158,7 @@ def host_agrees(table, out):
     path.write_text(table.text())
     environment = {key: value for key, value in os.environ.items() if key != "CARGO_TARGET_DIR"}
     environment["FIRMWARE_RESULTS"] = str(path.resolve())
-    test = ["cargo", "test", "--quiet", "--test", "firmware", "the_host_makes_the_bits"]
+    test = ["cargo", "test", "--quiet", "--test", "suite", "the_host_makes_the_bits"]
     done = subprocess.run(test, cwd=HERE.parent.parent, env=environment, capture_output=True, text=True)
     return [] if done.returncode == 0 else [done.stdout, done.stderr]
 

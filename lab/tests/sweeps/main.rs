@@ -9,13 +9,15 @@ mod long_run;
 mod rounding;
 mod stability;
 
-// Of the quick suite, here with all their steps and number types.
+// Of the quick suite: here optimised, with all their steps and number types.
 #[path = "../../../tests/suite/capacity.rs"]
 mod capacity;
 #[path = "../../../tests/suite/exact_drag.rs"]
 mod exact_drag;
 #[path = "../../../tests/suite/exact_spring.rs"]
 mod exact_spring;
+#[path = "../../../tests/suite/firmware.rs"]
+mod firmware;
 #[path = "../../../tests/suite/high_order.rs"]
 mod high_order;
 #[path = "../../../tests/suite/invariants.rs"]
@@ -34,5 +36,7 @@ mod rewind;
 mod snapshot;
 #[path = "../../../tests/suite/spin.rs"]
 mod spin;
+#[path = "../../../tests/suite/stages.rs"]
+mod stages;
 #[path = "../../../tests/suite/symmetry.rs"]
 mod symmetry;
