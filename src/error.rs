@@ -26,7 +26,7 @@
 //! | no point masses | [`CentreOfMass::new`](crate::CentreOfMass::new) | `Empty` | nothing was made |
 //! | a point mass of zero or less | [`CentreOfMass::new`](crate::CentreOfMass::new) | `NotPositive` | nothing was made |
 //! | a point mass that is NaN or infinite | [`CentreOfMass::new`](crate::CentreOfMass::new) | `NotFinite` | nothing was made |
-//! | a total mass that no fraction of 62 bits, or no body, can hold | [`CentreOfMass`](crate::CentreOfMass): `of`, `point` | `OutOfRange` | nothing was made |
+//! | a total mass that no fraction of 62 bits, or no body, can hold | [`CentreOfMass`](crate::CentreOfMass): `new`, `point` | `OutOfRange` | nothing was made |
 //! | a radius, width or height of zero or less | [`disc`](crate::mass::disc()), [`ring`](crate::mass::ring()), [`rectangle`](crate::mass::rectangle()), [`capsule`](crate::mass::capsule()) | `NotPositive` | no shape was made |
 //! | an inner radius or a length below zero | [`ring`](crate::mass::ring()), [`capsule`](crate::mass::capsule()) | `Negative` | no shape was made |
 //! | an inner radius above the outer | [`ring`](crate::mass::ring()) | `OutOfRange` | no shape was made |
@@ -42,19 +42,19 @@
 //! | mass properties of no mass or less | [`MassProperties::new`](crate::MassProperties::new) | `NotPositive` | nothing was made |
 //! | a moment of inertia below zero | [`MassProperties::new`](crate::MassProperties::new) | `Negative` | nothing was made |
 //! | a part that is moved out of the range, or a point that is NaN | [`MassProperties`](crate::MassProperties): `new`, `at`, `inertia_about` | `NotFinite` | nothing was made |
-//! | no parts | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points` | `Empty` | nothing was made |
-//! | parts whose sums 62 bits cannot hold | [`MassProperties`](crate::MassProperties): `of_parts`, `of_points`, `without` | `NotFinite` | nothing was made |
+//! | no parts | [`MassProperties`](crate::MassProperties): `from_parts`, `from_points` | `Empty` | nothing was made |
+//! | parts whose sums 62 bits cannot hold | [`MassProperties`](crate::MassProperties): `from_parts`, `from_points`, `without` | `NotFinite` | nothing was made |
 //! | a hole that takes more mass or inertia than there is | [`MassProperties::without`](crate::MassProperties::without) | `OutOfRange` | nothing was made |
 //! | an inertia of zero or less | [`Rigid::new`](crate::Rigid::new) | `NotPositive` | no body was made |
 //! | an inertia whose inverse the scalar cannot hold | [`Rigid::new`](crate::Rigid::new) | `OutOfRange` | no body was made |
 //! | a spin outside of the scalar | [`Rigid::with_spin`](crate::Rigid::with_spin) | `OutOfRange` | no body was made |
-//! | NaN or infinity as state of a body that turns | [`Rigid`](crate::Rigid): `kinematic`, `fixed`, `teleport`, `set_velocity`, `set_spin` | `NotFinite` | the state it had |
+//! | NaN or infinity as state of a body that turns | [`Rigid`](crate::Rigid): `kinematic`, `static_at`, `teleport`, `set_velocity`, `set_spin` | `NotFinite` | the state it had |
 //! | a drag against spin below zero | [`SpinDrag::new`](crate::rigid::torque::SpinDrag::new) | `Negative` | no force was made |
 //! | a clock that stands still, or no steps a frame | [`Accumulator::new`](crate::Accumulator::new) | `NotPositive` | nothing was made |
 //! | a clock and a step without a common unit | [`Accumulator::new`](crate::Accumulator::new) | `OutOfRange` | nothing was made |
 //! | a part of a step below 0 or above 1 | [`Between::new`](crate::Between::new) | `OutOfRange` | nothing was made |
 //! | a body for a full world, or one that has given `2^32` ids | [`World::add`](crate::World::add) | `Full` | the world; the body comes back |
-//! | a stale id | [`World`](crate::World): `get`, `get_mut`, `remove`, `place` | `Stale` | the world |
+//! | a stale id | [`World`](crate::World): `get`, `get_mut`, `remove`, `index_of` | `Stale` | the world |
 //! | a stale id in a force | any step | none: the force waits | the other forces act |
 //! | a scene that leaves the range | any step | none: fixed point saturates, floats become infinite | `out_of_range` names the bodies |
 //! | NaN in a vector or from a function that a force was given | any step | none: it spreads to the body | `out_of_range` names the body |

@@ -70,7 +70,7 @@
 //! | a lesson | [`Euler`](crate::Euler), [`ConstantAcceleration`](crate::ConstantAcceleration): springs explode |
 //!
 //! Take an orbit with e = 0.6, to 1 % after ten periods. It needs less than 24,000 calls of the force with `Verlet`,
-//! 8,000 with `Rk4` and 4,800 with `Pefrl`. `tests/kepler.rs` checks these limits and prints the counts.
+//! 8,000 with `Rk4` and 4,800 with `Pefrl`. `lab/tests/sweeps/kepler.rs` checks these limits and prints the counts.
 //!
 //! # 5. Drag and springs
 //!

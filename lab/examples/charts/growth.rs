@@ -1,5 +1,5 @@
 //! How the error of rounding alone grows with the number of steps, to ten million: a cruise beside
-//! `v t`, a spring and the oscillator of `tests/rounding` each beside its own map in `f64`, with the
+//! `v t`, a spring and the oscillator of `tests/sweeps/rounding` each beside its own map in `f64`, with the
 //! coefficients that the type holds.
 
 #[allow(dead_code)]

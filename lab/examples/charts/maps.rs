@@ -1,6 +1,6 @@
 //! Where each method is stable: springs by `ω h` and damping ratio, drag by `k h / m` and `h c |v| / m`.
 //! Every cell is runs in `I16F16`; the lines are closed forms. Cells, laws and runs are those of
-//! `tests/stability`.
+//! `tests/sweeps/stability`.
 
 #[allow(dead_code)]
 #[path = "../../tests/sweeps/stability/drag.rs"]
