@@ -12,6 +12,16 @@ use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws one body to a point and damps its motion. Does nothing once the body is gone.
+///
+/// ```
+/// use fixstep::prelude::*;
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let lamp = world.add(Point::new(vec2(1, 0)?, vec2(0, 0)?, 2)?)?;
+/// let mut anchor = Anchor::new(lamp, vec2(0, 0)?, 50, 0)?; // 50 N/m at 1 m, 2 kg: 25 m/s²
+/// world.step(&mut SemiImplicitEuler, &mut anchor, &Step::hz(50)?);
+/// assert!((world.get(lamp)?.velocity().x + 0.5).abs() < 1e-6); // after 1/50 s
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Anchor<S: Scalar> {
     body: BodyId,

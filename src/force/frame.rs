@@ -7,6 +7,19 @@ use crate::body::id::{self, BodyId};
 ///
 /// The two are one array where a method lets a force see what the forces before it did, and two
 /// where all forces act from one instant.
+///
+/// ```
+/// use fixstep::{Body, Frame, prelude::*};
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let (ids, mut bodies) = (world.ids(), [world.bodies()[0]]);
+/// let mut frame = Frame::new(ids, &mut bodies);
+/// let (index, seen) = frame.find(id).unwrap();
+/// assert_eq!(seen.position(), Vec2::ZERO);
+/// frame.live_at(index).unwrap().kick(vec2(3, 0)?);
+/// assert_eq!(bodies[0].velocity(), vec2(3, 0)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Frame<'a, B> {
     ids: &'a [BodyId],

@@ -78,6 +78,12 @@ pub(crate) use memo::Memo;
 use per_step::is_none;
 
 /// A part of a step, for work that a method does at once or in two halves around its kicks.
+///
+/// ```
+/// use fixstep::Part;
+/// // `SemiImplicitEuler` damps once, after its kick; `Verlet` half before its kick and half after it.
+/// assert_ne!(Part::Whole, Part::FirstHalf);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// All of it.
@@ -89,6 +95,29 @@ pub enum Part {
 }
 
 /// Something that changes velocities. A force implements the verbs it needs.
+///
+/// ```
+/// use fixstep::time::{Now, TimeStep};
+/// use fixstep::{Force, prelude::*};
+///
+/// /// A wind that blows along x, stronger with height: an acceleration of `y / 4`.
+/// struct Wind;
+///
+/// impl<B: Body<S = f32>> Force<B> for Wind {
+///     const COUPLES: bool = false; // each body by itself
+///
+///     fn field<H: TimeStep<f32>>(&mut self, now: &Now<H>, seen: &B, live: &mut B) {
+///         let acceleration = Vec2::new(seen.position().y / 4.0, 0.0);
+///         live.kick_by(acceleration, now.step.coef());
+///     }
+/// }
+///
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let kite = world.add(Point::new(vec2(0, 8)?, vec2(0, 0)?, 1)?)?;
+/// world.step(&mut SemiImplicitEuler, &mut Wind, &Step::hz(10)?);
+/// assert!((world.get(kite)?.velocity().x - 0.2).abs() < 1e-6); // 2 m/s² for 1/10 s
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 pub trait Force<B: Body> {
     /// Whether [`couple`](Force::couple) does anything: methods skip it otherwise.
     const COUPLES: bool;

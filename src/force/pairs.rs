@@ -9,6 +9,30 @@ use crate::force::{Force, Frame, Reversible, ReversiblePair};
 use crate::time::{Now, TimeStep};
 
 /// Something that acts between two bodies.
+///
+/// ```
+/// use fixstep::time::{Now, TimeStep};
+/// use fixstep::{AllPairs, PairForce, prelude::*};
+///
+/// /// Pushes two bodies apart along x with 1 N.
+/// struct Repel;
+///
+/// impl<B: Body<S = f32>> PairForce<B> for Repel {
+///     fn act<H: TimeStep<f32>>(&mut self, now: &Now<H>, _: [&B; 2], [a, b]: [&mut B; 2]) {
+///         let impulse = Vec2::new(1.0, 0.0).scaled(now.step.coef());
+///         a.push(-impulse); // what one loses the other gains
+///         b.push(impulse);
+///     }
+/// }
+///
+/// let mut world = World::<Point<f32>, 2>::new();
+/// for mass in [1, 2] {
+///     world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, mass)?)?;
+/// }
+/// world.step(&mut SemiImplicitEuler, &mut AllPairs(Repel), &Step::hz(10)?);
+/// assert!(world.momentum().x.abs() < 1e-7);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 pub trait PairForce<B: Body> {
     /// Work that is the same for every pair; called once before the others, for each evaluation.
     #[inline]

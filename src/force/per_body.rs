@@ -25,6 +25,13 @@ pub struct PerBody<F>(
 
 /// What a function says that a body feels: a force, or for a body that turns a
 /// [`Wrench`](crate::rigid::torque::Wrench).
+///
+/// ```
+/// use fixstep::{PerBody, Time, prelude::*, rigid::torque::Wrench};
+/// // A force is an effort, and so is a force with a torque.
+/// let push = PerBody(|_: Time, _: &Point<f32>| Vec2::new(1.0, 0.0));
+/// let both = PerBody(|_: Time, _: &Rigid<Point<f32>>| Wrench { force: Vec2::ZERO, torque: 2.0 });
+/// ```
 pub trait Effort<B: Body> {
     /// Changes the velocity of `live`, as `seen` feels it for a time `h`.
     fn act(self, h: <B::S as Scalar>::Coef, seen: &B, live: &mut B);

@@ -9,6 +9,13 @@ use crate::time::TimeStep;
 /// The coefficient of a force: neither negative, nor out of range, nor lost to rounding.
 ///
 /// For forces of your own; `field` names the argument in the error.
+///
+/// ```
+/// use fixstep::{Error, dec, force::coefficient};
+/// assert_eq!(coefficient::<f32>("drag", dec!(0.5)), Ok(0.5));
+/// let (field, value) = ("drag", dec!(-1));
+/// assert_eq!(coefficient::<f32>(field, value), Err(Error::Negative { field, value }));
+/// ```
 #[inline(always)]
 pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Coef, Error> {
     if value.num() < 0 {
@@ -21,6 +28,11 @@ pub fn coefficient<S: Scalar>(field: &'static str, value: Ratio) -> Result<S::Co
 }
 
 /// Half of a coefficient, for what is done in two halves of a step.
+///
+/// ```
+/// use fixstep::force::half;
+/// assert_eq!(half::<f32>(3.0), 1.5);
+/// ```
 #[inline]
 #[must_use]
 pub fn half<S: Scalar>(whole: S::Coef) -> S::Coef {
@@ -38,6 +50,19 @@ pub(super) fn is_none<S: Scalar>(coefficient: S::Coef) -> bool {
 /// Coefficients multiplied with `h`: made anew when the step changes, not in every step.
 ///
 /// For forces of your own: keep one, and ask it in `prepare` or `couple`.
+///
+/// ```
+/// use fixstep::{Step, force::PerStep};
+/// let mut drag = PerStep::<f32, f32>::new();
+/// let step = Step::hz(50)?;
+/// let (mut made, k) = (0, 2.0);
+/// for _ in 0..100 {
+///     let kh = drag.get(&step, |h| { made += 1; k * h });
+///     assert!((kh - 0.04).abs() < 1e-8);
+/// }
+/// assert_eq!(made, 1); // once for a length of step
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PerStep<S: Scalar, T>(Memo<S::Coef, T>);
 

@@ -29,6 +29,19 @@ use crate::time::{Now, TimeStep};
 ///
 /// Close bodies need a small step: two that turn about each other at distance ε do so at
 /// `sqrt(G (m1 + m2) / s³)` rad/s, which times h must stay well below 2.
+///
+/// ```
+/// use fixstep::{AllPairs, Pull, prelude::*};
+/// let mut world = World::<Point<f64>, 2>::new();
+/// let star = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1000)?)?;
+/// let moon = world.add(Point::new(vec2(10, 0)?, vec2(0, 0)?, 1)?)?;
+/// let mut pull = AllPairs(Pull::new(1, dec!(0.001))?);
+/// world.step(&mut SemiImplicitEuler, &mut pull, &Step::hz(10)?);
+/// // G M / d² = 10 m/s², for 1/10 s; the star gets a thousandth of it.
+/// assert!((world.get(moon)?.velocity().x + 1.0).abs() < 1e-6);
+/// assert!((world.get(star)?.velocity().x - 0.001).abs() < 1e-9);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pull<S: Scalar> {
     constant: S::Coef,

@@ -10,6 +10,24 @@ use crate::scalar::Scalar;
 /// A force whose kick depends on positions and time alone, and that neither damps nor flows.
 ///
 /// Implement it for a force of your own that keeps this law.
+///
+/// ```
+/// use fixstep::{LinearDrag, Reversible, prelude::*};
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let damper = |damping| Ok::<_, Error>(Anchor::new(id, vec2(0, 0)?, 5, damping)?.damper_name());
+/// trait DamperName {
+///     fn damper_name(&self) -> Option<&'static str>;
+/// }
+/// impl<F: Reversible<Point<f32>>> DamperName for F {
+///     fn damper_name(&self) -> Option<&'static str> {
+///         self.damper(0)
+///     }
+/// }
+/// assert_eq!(damper(0)?, None);
+/// assert_eq!(damper(1)?, Some("Anchor")); // it reads velocities
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "the steps of `{Self}` cannot be undone",
     note = "a kick must depend on positions and time alone; drags read velocities",
@@ -26,6 +44,16 @@ pub trait Reversible<B: Body>: Force<B> {
 }
 
 /// What [`Reversible`] is for a force, for one between two bodies.
+///
+/// ```
+/// use fixstep::{ReversiblePair, prelude::*};
+/// fn damper(spring: Spring<f32>) -> Option<&'static str> {
+///     ReversiblePair::<Point<f32>>::damper(&spring, 0)
+/// }
+/// assert_eq!(damper(Spring::new(1, 40, 0)?), None);
+/// assert_eq!(damper(Spring::new(1, 40, 2)?), Some("Spring"));
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[diagnostic::on_unimplemented(message = "the steps of `{Self}` between bodies cannot be undone")]
 pub trait ReversiblePair<B: Body>: PairForce<B> {
     /// Its name, if it reads velocities in step `tick`.

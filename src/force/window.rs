@@ -11,6 +11,18 @@ use crate::time::{Now, TimeStep};
 ///
 /// Ticks are whole numbers, so a window opens and closes on the same step on every target. An empty
 /// range never opens.
+///
+/// ```
+/// use fixstep::{Window, prelude::*};
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let mut lift = Window::new(10..12, GravityY::new(8)?);
+/// for _ in 0..64 {
+///     world.step(&mut SemiImplicitEuler, &mut lift, &Step::hz(64)?);
+/// }
+/// assert_eq!(world.get(id)?.velocity().y, 0.25); // two steps of 8/64 m/s
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Window<F> {
     /// First step that feels the force, and the first that no longer does.

@@ -19,6 +19,18 @@ use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Eq. 3 to 5 for worlds of `N` bodies; all forces act from the same instant.
+///
+/// ```
+/// use fixstep::{ConstantAcceleration, prelude::*};
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let mut method = ConstantAcceleration::new();
+/// for _ in 0..64 {
+///     world.step(&mut method, &mut GravityY::new(-8)?, &Step::hz(64)?);
+/// }
+/// assert_eq!(world.get(ball)?.position().y, -4.0); // g t² / 2, exactly
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct ConstantAcceleration<B, const N: usize> {
     seen: Seen<B, N>,

@@ -18,6 +18,18 @@ use crate::force::{Force, Frame, Part};
 use crate::time::{Now, TimeStep};
 
 /// Explicit Euler for worlds of `N` bodies; all forces act from the same instant.
+///
+/// ```
+/// use fixstep::{Euler, prelude::*};
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let mut method = Euler::new();
+/// for _ in 0..64 {
+///     world.step(&mut method, &mut GravityY::new(-8)?, &Step::hz(64)?);
+/// }
+/// assert_eq!(world.get(ball)?.position().y, -4.0 + 8.0 / 128.0); // short by g t h / 2
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Euler<B, const N: usize> {
     seen: Seen<B, N>,

@@ -43,6 +43,19 @@ pub use semi_implicit::SemiImplicitEuler;
 pub use verlet::Verlet;
 
 /// A way to make one step, for worlds of `N` bodies.
+///
+/// ```
+/// use fixstep::{Method, Rk4, prelude::*};
+/// fn fall<M: Method<Point<f64>, 1>>(mut method: M) -> Result<f64, Error> {
+///     let mut world = World::<Point<f64>, 1>::new();
+///     let ball = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+///     let (mut gravity, step) = (GravityY::new(-8)?, Step::hz(64)?);
+///     (0..64).for_each(|_| world.step(&mut method, &mut gravity, &step));
+///     Ok(world.get(ball)?.position().y)
+/// }
+/// assert!(fall(Verlet)? == -4.0 && (fall(Rk4::new())? + 4.0).abs() < 1e-12); // in a second
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 pub trait Method<B: Body, const N: usize> {
     /// Moves `bodies`, whose names are `ids`, from tick `tick` to the next.
     fn step<F: Force<B>, H: TimeStep<B::S>>(
@@ -101,6 +114,16 @@ fn parabola<B: Body>(part: &Between<B::S>, before: &B, after: &B) -> Vec2<B::S> 
 }
 
 /// Stage: every force changes velocities; positions stay.
+///
+/// ```
+/// use fixstep::{Now, integrate::kick, prelude::*};
+/// let mut world = World::<Point<f32>, 1>::new();
+/// world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let (ids, mut bodies) = (world.ids(), [world.bodies()[0]]);
+/// kick(ids, &mut bodies, &mut GravityY::new(-8)?, &Now::start(&Step::hz(64)?, 0));
+/// assert_eq!(bodies[0].velocity().y, -0.125); // g h
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[inline]
 pub fn kick<B: Body, F: Force<B>, H: TimeStep<B::S>>(
     ids: &[BodyId],
@@ -117,18 +140,45 @@ pub fn kick<B: Body, F: Force<B>, H: TimeStep<B::S>>(
 }
 
 /// Stage: `x += h v` for every body.
+///
+/// ```
+/// use fixstep::{Now, integrate::drift, prelude::*};
+/// let mut bodies = [Point::<f32>::new(vec2(0, 0)?, vec2(32, 0)?, 1)?];
+/// drift(&mut bodies, &Now::start(&Step::hz(64)?, 0));
+/// assert_eq!(bodies[0].position(), vec2(dec!(0.5), 0)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[inline]
 pub fn drift<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
     each(bodies, |body| body.drift(&now.step));
 }
 
 /// Stage: `x += h/2 v` for every body.
+///
+/// ```
+/// use fixstep::{Now, integrate::drift_half, prelude::*};
+/// let mut bodies = [Point::<f32>::new(vec2(0, 0)?, vec2(32, 0)?, 1)?];
+/// drift_half(&mut bodies, &Now::start(&Step::hz(64)?, 0));
+/// assert_eq!(bodies[0].position(), vec2(dec!(0.25), 0)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[inline]
 pub fn drift_half<B: Body, H: TimeStep<B::S>>(bodies: &mut [B], now: &Now<H>) {
     each(bodies, |body| body.drift_half(&now.step));
 }
 
 /// Stage: velocities lose what drags take from them in `part` of the step.
+///
+/// ```
+/// use fixstep::{Now, Part, integrate::{damp, kick}, prelude::*};
+/// let mut bodies = [Point::<f64>::new(vec2(0, 0)?, vec2(1, 0)?, 1)?];
+/// let (step, mut drag) = (Step::hz(10)?, ExactDrag::new(5)?);
+/// let now = Now::start(&step, 0);
+/// kick(&[], &mut bodies, &mut drag, &now); // prepares the drag, which kicks nothing
+/// damp(&mut bodies, &mut drag, &now, Part::Whole);
+/// assert!((bodies[0].velocity().x - (-0.5_f64).exp()).abs() < 1e-12); // k h / m = 0.5
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[inline]
 pub fn damp<B: Body, F: Force<B>, H: TimeStep<B::S>>(
     bodies: &mut [B],

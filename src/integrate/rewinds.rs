@@ -21,6 +21,19 @@ use crate::force::Reversible;
 use crate::time::TimeStep;
 
 /// A method that can undo a step.
+///
+/// ```
+/// use fixstep::{RangeChecked, fixed::types::I16F16, prelude::*};
+/// let mut world = World::<RangeChecked<Point<I16F16>>, 1>::new();
+/// world.add(RangeChecked::new(Point::new(vec2(0, 9)?, vec2(3, 0)?, 1)?))?;
+/// let (before, mut gravity, step) = (world.state_hash(), GravityY::new(-8)?, Step::hz(60)?);
+/// (0..100).for_each(|_| world.step(&mut Verlet, &mut gravity, &step));
+/// for _ in 0..100 {
+///     world.step_back(&mut Verlet, &mut gravity, &step).unwrap();
+/// }
+/// assert_eq!(world.state_hash(), before);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot undo a step",
     note = "`Verlet`, `Pefrl` and `SemiImplicitEuler` can"

@@ -18,6 +18,17 @@ use crate::force::{Force, Frame, Part, Reversible};
 use crate::time::{Now, TimeStep};
 
 /// Semi-implicit Euler: the cheapest method that is stable for springs.
+///
+/// ```
+/// use fixstep::prelude::*;
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// for _ in 0..64 {
+///     world.step(&mut SemiImplicitEuler, &mut GravityY::new(-8)?, &Step::hz(64)?);
+/// }
+/// assert_eq!(world.get(ball)?.position().y, -4.0 - 8.0 / 128.0); // long by g t h / 2
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 

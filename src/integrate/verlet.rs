@@ -23,6 +23,17 @@ use crate::time::{Between, Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Verlet, drift-kick-drift: the default for bodies that touch nothing.
+///
+/// ```
+/// use fixstep::prelude::*;
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// for _ in 0..64 {
+///     world.step(&mut Verlet, &mut GravityY::new(-8)?, &Step::hz(64)?);
+/// }
+/// assert_eq!(world.get(ball)?.position().y, -4.0); // g t² / 2, exactly
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Verlet;
 

@@ -106,6 +106,14 @@ impl<S: Angular> core::ops::Sub for Angle<S> {
 /// The cosine and the sine of an angle: turns vectors. Each is off by at most a unit of
 /// `2^-30` in 32-bit fixed point, by 33 of them, half a unit of its own near 1, in `f32`. Lengths change by as little, and
 /// for ever: no rotation is made from another.
+///
+/// ```
+/// use fixstep::{fixed::types::I16F16, prelude::*};
+/// let quarter = Angle::<I16F16>::degrees(90).rotation();
+/// assert_eq!(quarter.rotate(vec2(3, 0)?), vec2(0, 3)?);
+/// assert_eq!(quarter.rotate_back(vec2(0, 3)?), vec2(3, 0)?);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<S: Angular>([S::Unit; 2]);
 

@@ -8,6 +8,17 @@ use crate::time::Revolve;
 /// The rotor that keeps what its roundings leave over: an angle of twice the bits, and a remainder of the
 /// spin. By a method that drifts whole or half steps turns at a
 /// dyadic rate are exact for ever, at any other to the last digit of `h`.
+///
+/// ```
+/// use fixstep::{DyadicStep, fixed::types::I16F16, prelude::*};
+/// let centre = Carried::<I16F16>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?;
+/// let mut world = World::<_, 1>::new();
+/// let top = world.add(Rigid::new(centre, 1)?.with_spin(dec!(0.25))?)?;
+/// let step = DyadicStep::<I16F16, 1, 6>::new()?;
+/// (0..256).for_each(|_| world.step(&mut Verlet, &mut (), &step));
+/// assert_eq!(world.get(top)?.angle(), Angle::ZERO); // one turn in 4 s, exactly
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarriedRotor<S: CarryAngular> {
     angle: S::Fine,

@@ -7,6 +7,13 @@ use crate::scalar::{Angular, CarryAngular, Scalar};
 use crate::vec2::Vec2;
 
 /// A body of rung one that can be the centre of mass of a rigid one.
+///
+/// ```
+/// use fixstep::{Carried, Point, Rigid, fixed::types::I16F16};
+/// // Both centres make rigid bodies; the second keeps what its roundings lose.
+/// assert_eq!(size_of::<Rigid<Point<I16F16>>>(), 36);
+/// assert_eq!(size_of::<Rigid<Carried<I16F16>>>(), 56);
+/// ```
 pub trait Centre: Body<S: Angular> + From<Point<<Self as Body>::S>> {
     /// How its body turns.
     type Rotor: Rotor<Self::S>;

@@ -35,6 +35,14 @@ pub use rotor::{PlainRotor, Rotor};
 pub use saved::SavedRotor;
 
 /// What moves a body.
+///
+/// ```
+/// use fixstep::{Kind, prelude::*};
+/// assert_eq!(Rigid::new(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?, 1)?.kind(), Kind::Dynamic);
+/// assert_eq!(Rigid::<Point<f32>>::kinematic(vec2(0, 0)?, vec2(1, 0)?)?.kind(), Kind::Kinematic);
+/// assert_eq!(Rigid::<Point<f32>>::static_at(vec2(0, 0)?)?.kind(), Kind::Static);
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Forces do.

@@ -12,6 +12,15 @@ type Coef<B> = <<B as Body>::S as Scalar>::Coef;
 /// A body that turns.
 ///
 /// An *arm* leads from the centre of mass to a point of the body, in the axes of the world.
+///
+/// ```
+/// use fixstep::prelude::*;
+/// let centre = Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 1)?;
+/// let wheel = Rigid::new(centre, 1)?.with_spin(1)?; // one turn a second
+/// let rim = wheel.velocity_at(vec2(2, 0)?);
+/// assert!((rim.y - 2.0 * core::f32::consts::TAU).abs() < 1e-5); // ω r
+/// # Ok::<(), fixstep::Error>(())
+/// ```
 pub trait Rotating: Body<S: Angular> {
     /// Its angle.
     #[must_use]

@@ -16,6 +16,14 @@ use crate::scalar::{Angular, Factor, Scalar};
 use crate::time::Revolve;
 
 /// The half of a rigid body that turns.
+///
+/// ```
+/// use fixstep::{rigid::{PlainRotor, Rotor}, scalar::Scalar};
+/// let mut rotor = PlainRotor::<f32>::new(0.5);
+/// rotor.twist(3.0);
+/// rotor.twist_by(4.0, rotor.inv_inertia());
+/// assert_eq!(rotor.spin(), 5.0);
+/// ```
 pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
     /// At rest at angle zero, with `1 / 2πI`.
     #[must_use]
@@ -70,6 +78,12 @@ pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
 }
 
 /// The compact rotor: 16 bytes in 32-bit fixed point, 12 in `f32`.
+///
+/// ```
+/// use fixstep::{Angle, rigid::{PlainRotor, Rotor}};
+/// let rotor = PlainRotor::<f32>::new(1.0);
+/// assert_eq!((rotor.angle(), rotor.spin()), (Angle::ZERO, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlainRotor<S: Angular> {
     angle: S::Turns,

@@ -23,6 +23,12 @@ use crate::scalar::{Angular, CarryAngular, Factor, Scalar, Stored, Turns};
 use crate::world::snapshot::Saved;
 
 /// A rotor that a snapshot can hold.
+///
+/// ```
+/// use fixstep::{fixed::types::I16F16, rigid::{CarriedRotor, PlainRotor, SavedRotor}};
+/// assert_eq!(<PlainRotor<I16F16> as SavedRotor>::BYTES, 13);
+/// assert_eq!(<CarriedRotor<I16F16> as SavedRotor>::BYTES, 19);
+/// ```
 pub trait SavedRotor: Sized {
     /// Bytes of its state: as many as `save` hands out and `load` takes.
     const BYTES: usize;
