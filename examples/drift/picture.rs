@@ -69,11 +69,11 @@ impl Sheet<'_> {
     {
         area.fill(&WHITE)?;
         let (head, panels) = area.split_vertically(92);
-        head.draw_text(self.scene.title, &font(20), (16, 10))?;
-        head.draw_text(CAPTION, &font(14), (16, 38))?;
+        write(&head, self.scene.title, 20, (16, 10))?;
+        write(&head, CAPTION, 14, (16, 38))?;
         self.legend(&head)?;
         let Some(axes) = Axes::of(self.cases) else {
-            panels.draw_text("No scalar can hold this scene.", &font(TEXT), (16, 12))?;
+            write(&panels, "No scalar can hold this scene.", TEXT, (16, 12))?;
             return Ok(area.present()?);
         };
         let columns = self.methods.len().min(2);
@@ -109,8 +109,7 @@ impl Sheet<'_> {
             let line = [(x + dash, 72), (x + dash + 6, 72)];
             head.draw(&PathElement::new(line, BLACK.stroke_width(1)))?;
         }
-        head.draw_text("the method itself", &font(TEXT), (x + 32, 64))?;
-        Ok(())
+        write(head, "the method itself", TEXT, (x + 32, 64))
     }
 }
 
@@ -220,4 +219,22 @@ fn decimal(x: &f64) -> String {
 
 fn font(size: i32) -> TextStyle<'static> {
     (FONT, size).into_text_style(&SIZE).color(&BLACK)
+}
+
+/// Word by word: the space of the font is so narrow that "A throw" reads as "Athrow".
+fn write<DB: DrawingBackend>(
+    area: &Area<DB>,
+    text: &str,
+    size: i32,
+    (mut x, y): (i32, i32),
+) -> Drawn
+where
+    DB::ErrorType: 'static,
+{
+    let space = area.estimate_text_size(" ", &font(size))?.0;
+    for word in text.split(' ') {
+        area.draw_text(word, &font(size), (x, y))?;
+        x += (area.estimate_text_size(word, &font(size))?.0 + 8 * space / 5) as i32;
+    }
+    Ok(())
 }

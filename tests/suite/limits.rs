@@ -66,10 +66,7 @@ fn springs_are_bounded_below_their_limit_and_grow_above() {
 }
 
 /// What is left of a speed of 4 m/s after so many steps of drag with `k h / m = x`.
-fn left<S: Format>(scheme: Scheme, x: f64, steps: u32, exact: bool) -> f64
-where
-    S: fixstep::Decay,
-{
+fn left<S: Format + fixstep::Decay>(scheme: Scheme, x: f64, steps: u32, exact: bool) -> f64 {
     let mut world: World<_, 1> = world([point::<S>([0.0; 2], [4.0, 0.0], 1.0)]);
     let (mut method, step) = (scheme.method(), Step::hz(ratio(RATE)).unwrap());
     let (mut drag, mut exactly) = (

@@ -24,7 +24,15 @@ pub struct Options {
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
 
-    /// Folder for pictures and CSV files [default: examples/charts, of a quick run target/charts]
+    /// Draws the committed CSV files anew and makes no rows
+    #[arg(long, conflicts_with_all = ["quick", "check"])]
+    pub draw: bool,
+
+    /// Prints the whole front of each scene instead of a summary
+    #[arg(long)]
+    pub full: bool,
+
+    /// Folder for pictures and CSV files [default: lab/examples/charts, of a quick run target/charts]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -77,7 +77,7 @@ const CHARTS: [Chart; 11] = [
     Chart {
         name: "minute",
         make: minute::make,
-        draw: show,
+        draw: no_picture,
     },
     Chart {
         name: "growth",
@@ -100,20 +100,12 @@ const fn work(name: &'static str) -> Chart {
     Chart {
         name,
         make: work::make,
-        draw: |folder, table| {
-            print(&verdict::all(table)?);
-            panel::draw(folder, table)
-        },
+        draw: panel::draw,
     }
 }
 
-/// The lines of the README's table.
-fn show(_: &Path, table: &Table) -> Drawn {
-    print(&format!(
-        "{}{}\n",
-        minute_table::HEAD,
-        minute_table::lines(&table.rows).join("\n")
-    ));
+/// A table has no picture.
+fn no_picture(_: &Path, _: &Table) -> Drawn {
     Ok(())
 }
 
@@ -133,26 +125,38 @@ fn main() -> ExitCode {
 
 fn charts(options: &Options) -> Result<(), String> {
     let (progress, begin) = (hidden(), Instant::now());
-    let mut differences = Vec::new();
+    let (mut differences, mut tables) = (Vec::new(), Vec::new());
     for chart in &CHARTS {
         if begin.elapsed() > Duration::from_secs(1) {
             progress.set_draw_target(ProgressDrawTarget::stderr());
         }
-        let table = (chart.make)(chart.name, options.effort(), &progress)?;
+        let effort = match options.draw {
+            true => Effort::Quick, // for its columns
+            false => options.effort(),
+        };
+        let mut table = (chart.make)(chart.name, effort, &progress)?;
+        if options.draw {
+            table.rows = committed(&table)?;
+        }
         match options.check {
             true => differences.extend(check(&table, options.effort())?),
             false => progress.suspend(|| write(&options.folder(), chart, &table))?,
         }
         let seconds = begin.elapsed().as_secs_f32();
         progress.suspend(|| {
-            print(&format!(
-                "{}: {} rows, {seconds:.1} s\n",
-                chart.name,
-                table.rows.len()
-            ))
+            eprintln!("{}: {} rows, {seconds:.1} s", chart.name, table.rows.len());
         });
+        tables.push(table);
     }
     progress.finish_and_clear();
+    print(&verdict::report(&tables, options.full)?);
+    if !options.check {
+        let folder = options.folder();
+        print(&format!(
+            "\nOpen {}: each chart has a PNG and its CSV there.\n",
+            folder.join("work-kepler-m4f.png").display()
+        ));
+    }
     match differences.is_empty() {
         true => Ok(()),
         false => Err(format!(
@@ -167,11 +171,16 @@ fn hidden() -> ProgressBar {
     ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::hidden())
 }
 
-fn check(table: &Table, effort: Effort) -> Result<Vec<String>, String> {
+/// The committed rows of a table.
+fn committed(table: &Table) -> Result<Vec<Vec<String>>, String> {
     let path = Path::new(HOME).join(format!("{}.csv", table.name));
     let text =
         fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
-    Ok(table.differences(&table.read(&text)?, effort))
+    table.read(&text)
+}
+
+fn check(table: &Table, effort: Effort) -> Result<Vec<String>, String> {
+    Ok(table.differences(&committed(table)?, effort))
 }
 
 fn write(folder: &Path, chart: &Chart, table: &Table) -> Result<(), String> {

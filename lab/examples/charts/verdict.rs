@@ -3,6 +3,7 @@
 
 use crate::cost::Core;
 use crate::figures::Row;
+use crate::minute_table;
 use crate::pareto::{beats, front};
 use crate::starts::Plan;
 use crate::table::Table;
@@ -58,15 +59,63 @@ pub fn at_60_hz<'a>(core: Core, scene: &str, size: f64, rows: &'a [Row]) -> At60
     }
 }
 
-/// Of a table of work and precision, on all cores.
-pub fn all(table: &Table) -> Result<String, String> {
-    let (rows, plan) = (
-        Row::all(table)?,
-        Plan::of(table.name.trim_start_matches("work-")),
+/// What the charts say of the guide: a line for each scene and a conclusion, or with `full` the whole fronts and
+/// the table of a minute.
+pub fn report(tables: &[Table], full: bool) -> Result<String, String> {
+    let mut text = format!(
+        "On the Pareto front at {RATE} Hz (least error for its cost) of what the guide recommends:\n\n{:<12}{:>12}{:>12}\n",
+        "scene",
+        Core::M0Plus.name(),
+        Core::M4F.name()
     );
-    Ok(Core::ALL
-        .map(|core| text(core, plan.scene, plan.size, &rows))
-        .concat())
+    let (mut fronts, mut behind, mut counts) = (String::new(), Vec::new(), [0, 0]);
+    for table in tables
+        .iter()
+        .filter(|table| table.name.starts_with("work-"))
+    {
+        let (rows, plan) = (
+            Row::all(table)?,
+            Plan::of(table.name.trim_start_matches("work-")),
+        );
+        text += &format!("{:<12}", plan.scene);
+        for core in Core::ALL {
+            let At60 { before, .. } = at_60_hz(core, plan.scene, plan.size, &rows);
+            let on = before.iter().filter(|before| before.is_empty()).count();
+            counts = [counts[0] + on, counts[1] + before.len()];
+            text += &format!("{:>12}", format!("{on} of {}", before.len()));
+            for (name, before) in recommended(plan.scene, core).iter().zip(&before) {
+                if let Some(better) = before.first() {
+                    behind.push(format!(
+                        "  {}, {}: {} is behind {}",
+                        plan.scene,
+                        core.name(),
+                        name.join(" "),
+                        better.join(" ")
+                    ));
+                }
+            }
+            fronts += &self::text(core, plan.scene, plan.size, &rows);
+        }
+        text += "\n";
+    }
+    text += &format!(
+        "\n{} of {} recommended lines are on the front.\n",
+        counts[0], counts[1]
+    );
+    text += &behind
+        .iter()
+        .map(|line| format!("{line}\n"))
+        .collect::<String>();
+    if full {
+        let minute = tables.iter().find(|table| table.name == "minute");
+        let lines = minute.map(|table| minute_table::lines(&table.rows).join("\n"));
+        text += &format!(
+            "\n{fronts}\n{}{}\n",
+            minute_table::HEAD,
+            lines.unwrap_or_default()
+        );
+    }
+    Ok(text)
 }
 
 /// A few lines for a scene and a core.

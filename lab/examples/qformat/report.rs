@@ -17,10 +17,11 @@ pub const PRICES: [(Scheme, [f64; 2], [f64; 2]); 2] = [
 pub fn report(title: &str, advice: &Advice) -> String {
     let plan = &advice.question.plan;
     let mut text = format!(
-        "{title}\n{} s at {} Hz by {:?}\n\n{:<16} {:>10} {:>10}\n",
+        "{title}\n{} s at {} Hz by {:?}\n\n{}\n\n{:<16} {:>10} {:>10}\n",
         (1e3 * plan.seconds).round() / 1e3,
         plan.rate.to_f64(),
         plan.method,
+        answer(advice),
         "",
         "largest",
         "smallest"
@@ -93,6 +94,29 @@ fn line(advice: &Advice, format: &Format) -> String {
     let (name, unit) = (name(format.fraction), (-f64::from(format.fraction)).exp2());
     let (range, headroom) = (range(format.fraction), format.headroom);
     format!("{name:<8} {range:>9.1} {unit:>8.1e} {headroom:>9.1} {verdict}\n")
+}
+
+/// The answer in a sentence, and where the table below it is explained.
+fn answer(advice: &Advice) -> String {
+    let Some(best) = advice.best else {
+        return "No type of 32 bits holds this scene.".into();
+    };
+    let error = match best.verdict {
+        Verdict::Fits(_) if advice.is_sensitive() => "its error cannot be told".into(),
+        Verdict::Fits(error) => format!(
+            "it ends {:.1e} m off, {:.1e} m at worst",
+            error.median, error.worst
+        ),
+        _ => "it has less headroom than asked".into(),
+    };
+    let first = match advice.first() {
+        Some(role) => format!(" The {} saturates first.", role.name()),
+        None => String::new(),
+    };
+    format!(
+        "Take {}: {error}.{first}\n(docs/adviser.md explains the rest; --help has what to ask.)",
+        name(best.fraction)
+    )
 }
 
 fn conclusion(advice: &Advice) -> String {
