@@ -2,8 +2,10 @@
 //! TIMER0. With `-icount shift=6` an instruction takes 64 ns, whatever the host does.
 #![no_std]
 
+#[path = "../../cortex.rs"]
+mod cortex;
+
 pub use cortex_m_rt;
-use cortex_m_semihosting::{debug, hio};
 pub use measure;
 use measure::{Board, Counts};
 
@@ -50,37 +52,19 @@ unsafe impl Board for This {
 
     #[inline(never)]
     fn spin(&self, rounds: u32) {
-        // SAFETY: it changes one register, which is its own.
-        unsafe {
-            core::arch::asm!(
-                "adds {0}, #1",
-                "2: subs {0}, #1",
-                "bne 2b",
-                inout(reg) rounds => _,
-            );
-        }
+        cortex::spin(rounds);
     }
 
     fn print(&self, text: &str) {
-        if let Ok(mut out) = hio::hstdout() {
-            let _ = out.write_all(text.as_bytes());
-        }
+        cortex::print(text);
     }
 
     fn exit(&self, ok: bool) -> ! {
-        debug::exit(if ok {
-            debug::EXIT_SUCCESS
-        } else {
-            debug::EXIT_FAILURE
-        });
-        loop {}
+        cortex::exit(ok)
     }
 
     fn stack_bottom(&self) -> Option<usize> {
-        unsafe extern "C" {
-            static __sheap: u32;
-        }
-        Some(&raw const __sheap as usize)
+        cortex::stack_bottom()
     }
 }
 
