@@ -223,10 +223,10 @@ fn copy<B: Body, const N: usize>(bodies: &[B], seen: &mut heapless::Vec<B, N>) {
 /// divides by the size of a body before it unrolls, dear on a core that cannot divide.
 #[inline(always)]
 fn each<B>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
-    let mut rest = bodies;
-    while let Some((body, behind)) = rest.split_first_mut() {
+    let mut tail = bodies;
+    while let Some((body, behind)) = tail.split_first_mut() {
         f(body);
-        rest = behind;
+        tail = behind;
     }
 }
 

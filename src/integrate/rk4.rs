@@ -107,12 +107,12 @@ impl<B: Body, const N: usize> Rk4<B, N> {
         bodies: &mut [B],
         mut f: impl FnMut(&mut B, &mut B, &mut B, &mut Change<B>),
     ) {
-        let rest = self
+        let copies = self
             .seen
             .iter_mut()
             .zip(&mut self.live)
             .zip(&mut self.first);
-        for (body, ((seen, live), first)) in bodies.iter_mut().zip(rest) {
+        for (body, ((seen, live), first)) in bodies.iter_mut().zip(copies) {
             f(body, seen, live, first);
         }
     }

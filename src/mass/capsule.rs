@@ -42,8 +42,8 @@ fn measures(length: Ratio, radius: Ratio) -> Option<[Ratio; 2]> {
     let straight = long.per(12.into())?.and(short)?;
     let round = long.per(4.into())?.and(short.per(2.into())?)?;
     let part = twice.per(whole)?;
-    let rest = PI.times(radius)?.per(whole)?;
-    let inertia = part.times(straight)?.and(rest.times(round)?)?;
+    let others = PI.times(radius)?.per(whole)?;
+    let inertia = part.times(straight)?.and(others.times(round)?)?;
     Some([radius.times(whole)?, inertia])
 }
 

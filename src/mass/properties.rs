@@ -144,13 +144,13 @@ impl<S: Rational> MassProperties<S> {
             return Err(Error::OutOfRange { field, value });
         }
         let parts = [self.part(), hole.part().and_then(Part::taken_away)];
-        let rest = whole(parts.into_iter()).ok_or(too_far)?;
-        match rest.inertia.num() {
+        let others = whole(parts.into_iter()).ok_or(too_far)?;
+        match others.inertia.num() {
             ..0 => Err(Error::OutOfRange {
                 field,
                 value: hole.inertia,
             }),
-            _ => Ok(rest),
+            _ => Ok(others),
         }
     }
 

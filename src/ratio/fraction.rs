@@ -80,10 +80,10 @@ impl Ratio {
     fn to_62_bits(num: u128, den: u128, exponent: i32) -> Option<Ratio> {
         let to_the_top = |value: u128| value.leading_zeros().saturating_sub(1);
         let (up, down) = (to_the_top(num), to_the_top(den));
-        let (mut rest, by) = (num << up, den << down);
+        let (mut remainder, by) = (num << up, den << down);
         let mut whole = exponent + down as i32 - up as i32;
-        if rest < by {
-            (rest, whole) = (rest << 1, whole - 1);
+        if remainder < by {
+            (remainder, whole) = (remainder << 1, whole - 1);
         }
         // The value is 1 to 2 times 2^whole. For a small value the denominator takes the 62 bits.
         if whole < 0 {
@@ -93,11 +93,11 @@ impl Ratio {
         let fraction = u32::try_from(61 - whole).ok()?;
         let mut value = 0;
         for _ in 0..62 {
-            let bit = rest >= by;
-            rest = (if bit { rest - by } else { rest }) << 1;
+            let bit = remainder >= by;
+            remainder = (if bit { remainder - by } else { remainder }) << 1;
             value = value << 1 | i64::from(bit);
         }
-        Ratio::new(value + i64::from(rest >= by), 1 << fraction).ok()
+        Ratio::new(value + i64::from(remainder >= by), 1 << fraction).ok()
     }
 
     fn size(self) -> u128 {
@@ -125,8 +125,8 @@ fn pair(num: u128, den: u128, exponent: i32) -> Option<Ratio> {
 fn common(mut a: u128, mut b: u128) -> u128 {
     while a != b {
         let (large, small) = (a.max(b), a.min(b));
-        let rest = large - small;
-        (a, b) = (rest >> rest.trailing_zeros(), small);
+        let remainder = large - small;
+        (a, b) = (remainder >> remainder.trailing_zeros(), small);
     }
     a
 }

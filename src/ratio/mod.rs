@@ -53,17 +53,17 @@ impl Ratio {
             return Ratio::new(num as i64, den as u64).ok();
         }
         let by = NonZero::new(den)?;
-        let (whole, rest) = (num / by, num % by);
+        let (whole, remainder) = (num / by, num % by);
         let shift = (whole | 1).leading_zeros().checked_sub(66)?.min(62);
-        let value = (whole << shift) + (rest << shift) / by;
+        let value = (whole << shift) + (remainder << shift) / by;
         Ratio::new(value as i64, 1 << shift).ok()
     }
 
     /// `num / den` in lowest terms; `None` where that takes more than 62 bits.
     pub(crate) fn reduced(num: u128, den: u128) -> Option<Ratio> {
-        let (mut divisor, mut rest) = (num, den);
-        while let Some(by) = NonZero::new(rest) {
-            (divisor, rest) = (by.get(), divisor % by);
+        let (mut divisor, mut remainder) = (num, den);
+        while let Some(by) = NonZero::new(remainder) {
+            (divisor, remainder) = (by.get(), divisor % by);
         }
         let divisor = NonZero::new(divisor)?;
         let num = i64::try_from(num / divisor).ok()?;

@@ -79,8 +79,8 @@ macro_rules! fixed_decay {
                 if doublings > ENOUGH {
                     let up = mantissa.leading_zeros() - 1;
                     let inverse = Coef::from_raw(mantissa << up, shift + up).inverse();
-                    let rest = ONE - inverse.scale(ONE);
-                    return [of(ONE), inverse, inverse.times(of(rest))];
+                    let remainder = ONE - inverse.scale(ONE);
+                    return [of(ONE), inverse, inverse.times(of(remainder))];
                 }
                 let y = match (shift + doublings).checked_sub(FRACTION) {
                     None | Some(0) => mantissa << (FRACTION - shift - doublings),

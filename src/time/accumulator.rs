@@ -33,7 +33,7 @@ use crate::scalar::{Word, divide_words};
 pub struct Accumulator {
     per_count: u64,
     per_step: NonZero<u64>,
-    rest: u64,
+    remainder: u64,
     max_steps: u32,
 }
 
@@ -87,7 +87,7 @@ impl Accumulator {
         Ok(Accumulator {
             per_count: den / by,
             per_step: per_step.and_then(NonZero::new).ok_or(error)?,
-            rest: 0,
+            remainder: 0,
             max_steps,
         })
     }
@@ -95,11 +95,11 @@ impl Accumulator {
     /// Adds `counts` and returns the steps that are due.
     #[inline]
     pub fn advance(&mut self, counts: u64) -> Due {
-        let (due, rest) = match self.after_a_frame(counts) {
+        let (due, remainder) = match self.after_a_frame(counts) {
             Some(due) => due,
             None => self.after_a_long_time(counts),
         };
-        self.rest = rest;
+        self.remainder = remainder;
         let steps = due.min(self.max_steps as u64);
         Due {
             steps: steps as u32,
@@ -116,9 +116,9 @@ impl Accumulator {
         let per_step = NonZero::new(word(self.per_step.get())?)?;
         let more = word(counts)?.checked_mul(word(self.per_count)?)?;
         // Less than a step.
-        let total = more.checked_add(self.rest as Word)?;
-        let (due, rest) = divide_words(total, per_step)?;
-        Some((due as u64, rest as u64))
+        let total = more.checked_add(self.remainder as Word)?;
+        let (due, remainder) = divide_words(total, per_step)?;
+        Some((due as u64, remainder as u64))
     }
 
     /// The same for any number of counts. Saturates if 64 bits cannot hold the steps.
@@ -127,23 +127,23 @@ impl Accumulator {
     fn after_a_long_time(&self, counts: u64) -> (u64, u64) {
         let per_step = self.per_step.get();
         let count = multiplied(self.per_count, (0, 1), per_step);
-        let (due, rest) = multiplied(counts, count, per_step);
-        let rest = rest + self.rest;
-        match rest.checked_sub(per_step) {
+        let (due, remainder) = multiplied(counts, count, per_step);
+        let remainder = remainder + self.remainder;
+        match remainder.checked_sub(per_step) {
             Some(less) => (due.saturating_add(1), less),
-            None => (due, rest),
+            None => (due, remainder),
         }
     }
 
     /// The part of a step that has passed since the last due step: exact, from 0 to below 1.
     #[must_use]
     pub fn fraction(&self) -> Ratio {
-        Ratio::fraction(self.rest, self.per_step)
+        Ratio::fraction(self.remainder, self.per_step)
     }
 
     /// Discards the part of a step that has passed. Call it after a pause or for a new scene.
     pub fn reset(&mut self) {
-        self.rest = 0;
+        self.remainder = 0;
     }
 }
 
@@ -153,26 +153,26 @@ impl Accumulator {
 /// This case is rare: it needs minutes without a frame, or a clock and a step with a small common unit.
 #[inline(never)]
 fn multiplied(mut n: u64, (steps, part): (u64, u64), per_step: u64) -> (u64, u64) {
-    let (mut due, mut rest) = (0_u64, 0_u64);
+    let (mut due, mut remainder) = (0_u64, 0_u64);
     for _ in 0..u64::BITS {
         // Less than three steps, and `new` limits a step to 2^62.
-        (due, rest) = (due.saturating_add(due), 2 * rest);
+        (due, remainder) = (due.saturating_add(due), 2 * remainder);
         if n >> 63 != 0 {
-            (due, rest) = (due.saturating_add(steps), rest + part);
+            (due, remainder) = (due.saturating_add(steps), remainder + part);
         }
-        while let Some(less) = rest.checked_sub(per_step) {
-            (due, rest) = (due.saturating_add(1), less);
+        while let Some(less) = remainder.checked_sub(per_step) {
+            (due, remainder) = (due.saturating_add(1), less);
         }
         n <<= 1;
     }
-    (due, rest)
+    (due, remainder)
 }
 
 /// The greatest common divisor, by Euclid; both numbers are greater than zero.
 fn common_divisor(a: u64, b: u64) -> NonZero<u64> {
-    let (mut divisor, mut rest) = (NonZero::new(a).unwrap_or(NonZero::<u64>::MIN), b);
-    while let Some(by) = NonZero::new(rest) {
-        (divisor, rest) = (by, divisor.get() % by);
+    let (mut divisor, mut remainder) = (NonZero::new(a).unwrap_or(NonZero::<u64>::MIN), b);
+    while let Some(by) = NonZero::new(remainder) {
+        (divisor, remainder) = (by, divisor.get() % by);
     }
     divisor
 }
@@ -193,19 +193,19 @@ mod tests {
         };
         for round in 0..100_000 {
             let (per_count, per_step) = (random() >> 2, random() >> 2 | 1);
-            let (rest, counts) = (random() % per_step, random());
+            let (remainder, counts) = (random() % per_step, random());
             let largest = (1 << 62, 1 << 62, (1 << 62) - 1, u64::MAX);
-            let (per_count, per_step, rest, counts) = match round {
+            let (per_count, per_step, remainder, counts) = match round {
                 0 => largest,
-                _ => (per_count, per_step, rest, counts),
+                _ => (per_count, per_step, remainder, counts),
             };
             let clock = Accumulator {
                 per_count,
                 per_step: NonZero::new(per_step).unwrap_or(NonZero::<u64>::MIN),
-                rest,
+                remainder,
                 max_steps: 1,
             };
-            let total = counts as u128 * per_count as u128 + rest as u128;
+            let total = counts as u128 * per_count as u128 + remainder as u128;
             let due = u64::try_from(total / per_step as u128).unwrap_or(u64::MAX);
             let expected = (due, (total % per_step as u128) as u64);
             let after = clock.after_a_long_time(counts);

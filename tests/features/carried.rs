@@ -66,10 +66,10 @@ fn one() -> Value {
 #[test]
 fn json_shows_the_fields_by_name() {
     let expected = json!({
-        "place": [[0x0001_0000, 0], [0xFFFF_0000_u32, 0]],
+        "fine": [[0x0001_0000, 0], [0xFFFF_0000_u32, 0]],
         "velocity": { "x": { "bits": 0x0001_8000 }, "y": { "bits": -0x0002_0000 } },
         "inv_mass": 0x4000_000A,
-        "rest": [0, 0],
+        "remainder": [0, 0],
     });
     assert_eq!(one(), expected);
 }
@@ -88,23 +88,23 @@ fn refused(pointer: &str, field: Value, why: &str) {
 fn what_no_body_could_have_been_is_refused() {
     let why = "is not that of a body";
     for bits in [(1_u64 << 14) + 1, 0x8000, 0xBFFF, 1 << 16, 1 << 32] {
-        refused("/rest/0", json!(bits), why);
-        refused("/rest/1", json!(bits), why);
+        refused("/remainder/0", json!(bits), why);
+        refused("/remainder/1", json!(bits), why);
     }
     for bits in [1_u64 << 32, u64::MAX] {
-        refused("/place/0/0", json!(bits), why);
-        refused("/place/1/1", json!(bits), why);
+        refused("/fine/0/0", json!(bits), why);
+        refused("/fine/1/1", json!(bits), why);
     }
     for bits in [0, 10, 0x3FFF_FFFF, 0x8000_0000_u32] {
         refused("/inv_mass", json!(bits), why);
     }
-    refused("/place/1", json!([1]), "invalid length");
-    refused("/rest", json!([0]), "invalid length");
+    refused("/fine/1", json!([1]), "invalid length");
+    refused("/remainder", json!([0]), "invalid length");
 }
 
 #[test]
 fn fields_are_neither_missing_nor_unknown() {
-    for field in ["place", "velocity", "inv_mass", "rest"] {
+    for field in ["fine", "velocity", "inv_mass", "remainder"] {
         let mut value = one();
         value.as_object_mut().unwrap().remove(field).unwrap();
         let error = from_value::<Carried<I16F16>>(value).unwrap_err();

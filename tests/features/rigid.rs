@@ -128,16 +128,16 @@ fn json_shows_the_fields_by_name() {
     assert_eq!(plain(), expected);
     let expected = json!({
         "centre": {
-            "place": [[0x0001_0000, 0], [0xFFFF_0000_u32, 0]],
+            "fine": [[0x0001_0000, 0], [0xFFFF_0000_u32, 0]],
             "velocity": velocity,
             "inv_mass": 0x4000_000A,
-            "rest": [0, 0],
+            "remainder": [0, 0],
         },
         "driven": false,
         "angle": [0x4000_0000, 0],
         "spin": { "bits": 0x8000 },
         "inv_inertia": INVERSE,
-        "rest": 0,
+        "remainder": 0,
     });
     assert_eq!(carried(), expected);
     let wall = Rigid::<Point<I16F16>>::static_at(vec2(1, 1).unwrap()).unwrap();
@@ -183,7 +183,7 @@ fn what_no_body_could_have_been_is_refused() {
         refused::<Carried<I16F16>>(carried, &field, why);
     }
     for rest in [(1 << 14) + 1, 0x8000, 0xBFFF, 1 << 16] {
-        refused::<Carried<I16F16>>(carried, &[("/rest", json!(rest))], why);
+        refused::<Carried<I16F16>>(carried, &[("/remainder", json!(rest))], why);
     }
     refused::<Carried<I16F16>>(carried, &[("/angle/1", json!(1_u64 << 32))], why);
     refused::<Point<I16F16>>(plain, &[("/angle", json!(1_u64 << 32))], "angle");
@@ -234,7 +234,14 @@ where
 
 #[test]
 fn fields_are_neither_missing_nor_unknown() {
-    let names = ["centre", "driven", "angle", "spin", "inv_inertia", "rest"];
+    let names = [
+        "centre",
+        "driven",
+        "angle",
+        "spin",
+        "inv_inertia",
+        "remainder",
+    ];
     fields::<Point<I16F16>>(plain, &names[..5]);
     fields::<Carried<I16F16>>(carried, &names);
 }

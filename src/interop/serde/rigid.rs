@@ -2,10 +2,10 @@
 //!
 //! ```text
 //! { centre, driven, angle, spin, inv_inertia }           angle: its count
-//! { centre, driven, angle, spin, inv_inertia, rest }     of one that carries; angle: two halves of its count
+//! { centre, driven, angle, spin, inv_inertia, remainder }     of one that carries; angle: two halves of its count
 //! ```
 //!
-//! The centre of a driven body is written with a mass of 1 kg, as in a snapshot; `inv_inertia` and `rest`
+//! The centre of a driven body is written with a mass of 1 kg, as in a snapshot; `inv_inertia` and `remainder`
 //! are the bits of one.
 
 use serde::de::{Deserialize, Deserializer, Error};
@@ -75,14 +75,14 @@ where
 {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
         let (driven, centre, rotor) = self.parts();
-        let (angle, rest) = rotor.parts();
+        let (angle, remainder) = rotor.parts();
         let mut fields = serializer.serialize_struct("Rigid", 6)?;
         fields.serialize_field("centre", &centre)?;
         fields.serialize_field("driven", &driven)?;
         fields.serialize_field("angle", &S::fine_halves(angle))?;
         fields.serialize_field("spin", &rotor.spin())?;
         fields.serialize_field("inv_inertia", &rotor.inv_inertia().store())?;
-        fields.serialize_field("rest", &S::remainder_bits(rest))?;
+        fields.serialize_field("remainder", &S::remainder_bits(remainder))?;
         fields.end()
     }
 }
@@ -100,17 +100,17 @@ where
             angle: [u64; 2],
             spin: S,
             inv_inertia: u64,
-            rest: u64,
+            remainder: u64,
         }
         let fields = Fields::<Carried<S>, S>::deserialize(deserializer)?;
         let body = || {
             let angle = S::from_fine_halves(fields.angle)?;
-            let kept = (fields.spin, S::from_remainder_bits(fields.rest)?);
+            let kept = (fields.spin, S::from_remainder_bits(fields.remainder)?);
             let inv_inertia = S::Coef::restore(fields.inv_inertia)?;
             let rotor = CarriedRotor::from_parts(angle, kept, inv_inertia)?;
             Rigid::from_parts(fields.driven, fields.centre, rotor)
         };
-        let why = "driven, angle, inv_inertia or rest is not that of a body";
+        let why = "driven, angle, inv_inertia or remainder is not that of a body";
         body().ok_or_else(|| D::Error::custom(why))
     }
 }

@@ -32,14 +32,14 @@ pub(in crate::scalar) fn scaled(value: i32, mantissa: i32, shift: u32, fraction:
 /// A velocity and its remainder after a change in units of `2^-15`, at most `2^62` of them. The
 /// remainder is at most half a unit of the type.
 #[inline]
-pub(in crate::scalar) fn changed(value: i32, rest: i16, change: i64) -> (i32, i16) {
-    let total = change + rest as i64;
+pub(in crate::scalar) fn changed(value: i32, remainder: i16, change: i64) -> (i32, i16) {
+    let total = change + remainder as i64;
     let whole = rounded(total, FINE);
-    let rest = total.wrapping_sub(whole << FINE) as i16;
+    let remainder = total.wrapping_sub(whole << FINE) as i16;
     // A change may be as large as the range is wide: only the sum has to fit.
     let sum = value as i64 + whole;
     match i32::try_from(sum) {
-        Ok(value) if value != i32::MIN => (value, rest),
+        Ok(value) if value != i32::MIN => (value, remainder),
         _ if sum < 0 => (-i32::MAX, 0),
         _ => (i32::MAX, 0),
     }
@@ -47,8 +47,8 @@ pub(in crate::scalar) fn changed(value: i32, rest: i16, change: i64) -> (i32, i1
 
 /// A velocity in units of `2^-15`.
 #[inline]
-pub(in crate::scalar) fn fine(value: i32, rest: i16) -> i64 {
-    ((value as i64) << FINE) + rest as i64
+pub(in crate::scalar) fn fine(value: i32, remainder: i16) -> i64 {
+    ((value as i64) << FINE) + remainder as i64
 }
 
 /// The largest fine velocity.
@@ -71,12 +71,12 @@ pub(in crate::scalar) fn units(fine: i64, mass: i32) -> i64 {
 /// unit further stands for at most one unit more, single steps find the number that is wanted.
 pub(in crate::scalar) fn exchanged(
     value: i32,
-    rest: i16,
+    remainder: i16,
     impulse: i32,
     (mass, shift): (i32, u32),
     (inverse, inverse_shift): (i32, u32),
 ) -> (i32, i16) {
-    let before = fine(value, rest);
+    let before = fine(value, remainder);
     // A mass of m / 2^shift counts momentum in units of 2^(FINE - shift) of the type's.
     let gained = match shift.checked_sub(FINE) {
         Some(up) => (impulse as i64) << (up & 31),
@@ -96,5 +96,5 @@ pub(in crate::scalar) fn exchanged(
             }
         };
     }
-    changed(value, rest, change.clamp(-3 * LIMIT, 3 * LIMIT))
+    changed(value, remainder, change.clamp(-3 * LIMIT, 3 * LIMIT))
 }

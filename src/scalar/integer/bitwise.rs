@@ -16,22 +16,22 @@ pub(in crate::scalar) fn root_u64(n: u64) -> (u32, u32) {
     }
     let up = high.leading_zeros() & 30;
     let (high, mut low) = (high << up | low >> 1 >> (31 - up), low << up);
-    let (mut root, mut rest) = (1_u32 << 15, high.wrapping_sub(1 << 30));
+    let (mut root, mut remainder) = (1_u32 << 15, high.wrapping_sub(1 << 30));
     for place in (0..15).rev() {
         let more = (root << 1 | 1 << place) << place;
-        if rest >= more {
-            rest -= more;
+        if remainder >= more {
+            remainder -= more;
             root |= 1 << place;
         }
     }
     // From here on two bits of n for one of the root. What is left is at most twice the root.
-    let mut rest = rest as u64;
+    let mut remainder = remainder as u64;
     for _ in 0..16 {
-        rest = rest << 2 | (low >> 30) as u64;
+        remainder = remainder << 2 | (low >> 30) as u64;
         let more = (root as u64) << 2 | 1;
         (low, root) = (low << 2, root << 1);
-        if rest >= more {
-            rest -= more;
+        if remainder >= more {
+            remainder -= more;
             root |= 1;
         }
     }
@@ -40,20 +40,20 @@ pub(in crate::scalar) fn root_u64(n: u64) -> (u32, u32) {
 
 /// Quotient and remainder for a divisor below `2^31`; `None` where the quotient does not fit.
 pub(in crate::scalar) fn divide_short(n: u64, divisor: NonZero<u32>) -> Option<(u32, u32)> {
-    let (mut rest, mut low, mut bits) = ((n >> 32) as u32, n as u32, 32);
-    if rest >= divisor.get() {
+    let (mut remainder, mut low, mut bits) = ((n >> 32) as u32, n as u32, 32);
+    if remainder >= divisor.get() {
         return None;
     }
-    while bits > 8 && rest < divisor.get() >> 8 {
-        (rest, low, bits) = (rest << 8 | low >> 24, low << 8, bits - 8);
+    while bits > 8 && remainder < divisor.get() >> 8 {
+        (remainder, low, bits) = (remainder << 8 | low >> 24, low << 8, bits - 8);
     }
     while bits > 0 {
-        (rest, low, bits) = (rest << 1 | low >> 31, low << 1, bits - 1);
-        if rest >= divisor.get() {
-            (rest, low) = (rest - divisor.get(), low + 1);
+        (remainder, low, bits) = (remainder << 1 | low >> 31, low << 1, bits - 1);
+        if remainder >= divisor.get() {
+            (remainder, low) = (remainder - divisor.get(), low + 1);
         }
     }
-    Some((low, rest))
+    Some((low, remainder))
 }
 
 #[cfg(test)]

@@ -50,25 +50,25 @@ fn root_u32(n: u32) -> (u32, u32) {
     let (b, c) = (n >> 8 & 0xFF, n & 0xFF);
     let (over, divisor) = (r << 8 | b, (s | 1 << 7) << 1);
     let (q, u) = (over / divisor, over % divisor);
-    let (root, rest) = ((s << 8) + q, (u << 8 | c).wrapping_sub(q * q));
-    if (rest as i32) < 0 {
-        return (root - 1, rest.wrapping_add(root << 1).wrapping_sub(1));
+    let (root, remainder) = ((s << 8) + q, (u << 8 | c).wrapping_sub(q * q));
+    if (remainder as i32) < 0 {
+        return (root - 1, remainder.wrapping_add(root << 1).wrapping_sub(1));
     }
-    (root, rest)
+    (root, remainder)
 }
 
 /// The root of an `n` from `2^14`, bit by bit, and what is left.
 #[inline]
 fn root_u16(n: u32) -> (u32, u32) {
-    let (mut s, mut rest) = (1 << 7, n.wrapping_sub(1 << 14));
+    let (mut s, mut remainder) = (1 << 7, n.wrapping_sub(1 << 14));
     for place in (0..7).rev() {
         let more = (s << 1 | 1 << place) << place;
-        if rest >= more {
-            rest -= more;
+        if remainder >= more {
+            remainder -= more;
             s |= 1 << place;
         }
     }
-    (s, rest)
+    (s, remainder)
 }
 
 /// Quotient and remainder; `None` where the quotient does not fit.
@@ -80,12 +80,12 @@ pub(in crate::scalar) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u3
     }
     let up = divisor.leading_zeros();
     let (high, low) = shifted(high, low, up);
-    let (mut quotient, mut rest, mut low) = (0, high, low);
+    let (mut quotient, mut remainder, mut low) = (0, high, low);
     for _ in 0..2 {
-        let next = digit(rest, low >> 16, divisor.get() << up);
-        (quotient, rest, low) = (quotient << 16 | next.0, next.1, low << 16);
+        let next = digit(remainder, low >> 16, divisor.get() << up);
+        (quotient, remainder, low) = (quotient << 16 | next.0, next.1, low << 16);
     }
-    Some((quotient, rest >> up))
+    Some((quotient, remainder >> up))
 }
 
 /// `(high 2^16 + low) / divisor` with its remainder, for a divisor with its highest bit set and a smaller
@@ -94,11 +94,11 @@ pub(in crate::scalar) fn divide_u64(n: u64, divisor: NonZero<u32>) -> Option<(u3
 fn digit(high: u32, low: u32, divisor: u32) -> (u32, u32) {
     let upper = divisor >> 16 | 1 << 15;
     let mut digit = (high / upper).min(0xFFFF);
-    let mut rest = high - digit * upper;
+    let mut remainder = high - digit * upper;
     let lower = divisor & 0xFFFF;
-    while rest >> 16 == 0 && digit * lower > (rest << 16 | low) {
+    while remainder >> 16 == 0 && digit * lower > (remainder << 16 | low) {
         digit -= 1;
-        rest += upper;
+        remainder += upper;
     }
     (
         digit,
@@ -173,8 +173,8 @@ mod tests {
                 let Some(divisor) = NonZero::new(divisor as u32) else {
                     continue;
                 };
-                let (quotient, rest) = (n / divisor.get() as u64, n % divisor.get() as u64);
-                let expected = u32::try_from(quotient).ok().map(|q| (q, rest as u32));
+                let (quotient, remainder) = (n / divisor.get() as u64, n % divisor.get() as u64);
+                let expected = u32::try_from(quotient).ok().map(|q| (q, remainder as u32));
                 assert_eq!(divide_u64(n, divisor), expected, "{n} / {divisor}");
             }
         }

@@ -18,8 +18,8 @@ macro_rules! nearest {
             return 0;
         };
         let value = match $divide($wide.unsigned_abs(), divisor) {
-            Some((whole, rest)) => {
-                let up = (rest >= divisor.get() - rest) as $unsigned;
+            Some((whole, remainder)) => {
+                let up = (remainder >= divisor.get() - remainder) as $unsigned;
                 whole.saturating_add(up).min($raw::MAX as $unsigned) as $raw
             }
             None => $raw::MAX,
@@ -125,8 +125,8 @@ macro_rules! raw {
                 let (root, up) = $root(square);
                 let root = root >> (up / 2);
                 // At most twice a root that is not clamped.
-                let rest = (square as $unsigned).wrapping_sub(root.wrapping_mul(root));
-                let up = (rest > root) as $unsigned;
+                let remainder = (square as $unsigned).wrapping_sub(root.wrapping_mul(root));
+                let up = (remainder > root) as $unsigned;
                 root.saturating_add(up).min($raw::MAX as $unsigned) as $raw
             }
 
