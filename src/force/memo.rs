@@ -10,12 +10,12 @@ impl<K: Copy + PartialEq, T: Copy> Memo<K, T> {
         Memo(None)
     }
 
-    /// What `make` makes for `key`, made anew only where the key before was another.
+    /// What `make` makes of `key`, made anew only where the key before was another.
     #[inline]
-    pub(crate) fn get(&mut self, key: K, make: impl FnOnce() -> T) -> T {
+    pub(crate) fn get(&mut self, key: K, make: impl FnOnce(K) -> T) -> T {
         match self.0 {
             Some((known, value)) if known == key => value,
-            _ => self.renew(key, make),
+            _ => *self.renew(key, make),
         }
     }
 
@@ -26,9 +26,7 @@ impl<K: Copy + PartialEq, T: Copy> Memo<K, T> {
 
     #[cold]
     #[inline(never)]
-    fn renew(&mut self, key: K, make: impl FnOnce() -> T) -> T {
-        let value = make();
-        self.0 = Some((key, value));
-        value
+    fn renew(&mut self, key: K, make: impl FnOnce(K) -> T) -> &T {
+        &self.0.insert((key, make(key))).1
     }
 }

@@ -1,4 +1,4 @@
-//! Forces say *what* they do to a body; the method decides *when* and to which copy of the state.
+//! A force says *what* it does to a body. The method decides *when*, and to which copy of the state.
 //!
 //! | force | acts on | cost |
 //! |---|---|---|
@@ -18,22 +18,28 @@
 //! | [`ExactSpring`] | one body, in place of its drift | three products an axis, four if damped |
 //! | [`ExactPair`] | two bodies, in place of their drift | five divisions, some products |
 //!
-//! [`Pairs`] and [`AllPairs`] say between which bodies a spring or a pull acts. A tuple of forces is
-//! a force, and so is an array, a `heapless::Vec` or an `Option` of one; a [`Window`] bounds one in
-//! time. What is not named is not linked.
+//! [`Pairs`] and [`AllPairs`] choose the bodies between which a spring or a pull acts. A tuple of forces is a force. So is
+//! an array, a `heapless::Vec` or an `Option` of one force. A [`Window`] limits a force to some steps.
 //!
-//! A force on one body multiplies by `h / m` at once and rounds the change of velocity. The impulse
-//! of a spring between two bodies is a scalar itself, in kg m/s: with masses far from 1 kg its unit is coarse for
-//! the light body and its range short for the heavy one.
+//! # How a force acts
 //!
-//! [`field`](Force::field) forces need only the body itself: they run inside the loop that moves
-//! it. [`couple`](Force::couple) forces see all bodies and run before that loop. Under the splitting
-//! methods a force reads velocities that coupled forces before it have changed: drag brakes what a
-//! spring has just pushed, so a body that hangs in both rests about `k_drag h / m` of its sag lower.
+//! | verb | it sees | when |
+//! |---|---|---|
+//! | [`couple`](Force::couple) | all bodies | before the loop over the bodies |
+//! | [`field`](Force::field) | one body | inside the loop that moves it |
+//! | [`damp`](Force::damp) | one body | after the kicks, or half before and half after them |
+//! | [`flow`](Force::flow) | all bodies | in place of the drift |
 //!
-//! What is solved exactly is no kick. [`damp`](Force::damp) takes a part of a velocity, after the kicks
-//! or half before and half after them. [`flow`](Force::flow) moves bodies through a step in place of
-//! their drift; each body has one flow at most, the first that is named.
+//! A *kick* changes a velocity, a *drift* a position. A *flow* is an exact solution that replaces both for its bodies. A
+//! body has one flow at most: the first in the tuple.
+//!
+//! # What to know
+//!
+//! * A force on one body multiplies by `h / m` and rounds the change of velocity once.
+//! * A spring between two bodies makes an impulse in kg m/s, a scalar itself. With masses far from 1 kg its unit is
+//!   coarse for the light body, and its range short for the heavy one.
+//! * With `SemiImplicitEuler` and `Verlet` a force reads velocities that coupled forces have already changed. So drag
+//!   brakes what a spring has just pushed: a body that hangs in both rests about `k_drag h / m` of its sag lower.
 
 mod all_bodies;
 mod anchor;

@@ -82,7 +82,6 @@ impl<S: Scalar, T: Copy> PerStep<S, T> {
     /// What `make` makes of `h`, remembered for as long as `h` is the same.
     #[inline]
     pub fn get(&mut self, step: &impl TimeStep<S>, make: impl FnOnce(S::Coef) -> T) -> T {
-        let h = step.coef();
-        self.0.get(h, || make(h))
+        self.0.get(step.coef(), make)
     }
 }

@@ -6,8 +6,8 @@
 //! J = j d / L                                 added to body 1, taken from body 2
 //! ```
 //!
-//! One impulse, used twice: the two sum to zero to the bit. Where the bodies coincide the
-//! direction is unknown and the spring waits.
+//! One impulse is used twice, so the two sum to zero to the bit. Where the bodies coincide there is no direction, and the
+//! spring does nothing.
 
 use crate::body::Body;
 use crate::error::Error;
@@ -19,10 +19,10 @@ use crate::vec2::Vec2;
 
 /// Draws two bodies to a distance and damps their motion along the line between them.
 ///
-/// Under the splitting methods a damper sees what the pairs before it have just pushed: of springs in a
-/// row that hang, each is shorter by `c h / m` of the stretch of the one before. Damp a chain with drag.
+/// With `SemiImplicitEuler` and `Verlet` a damper sees what the pairs before it have just pushed. In a hanging chain each
+/// spring is shorter by `c h / m` of the stretch of the spring before it. Damp a chain with drag.
 ///
-/// [`Pairs`](crate::Pairs) says which.
+/// [`Pairs`](crate::Pairs) chooses the two bodies.
 ///
 /// ```
 /// use fixstep::{dec, vec2, Pairs, Point, Spring, World};

@@ -7,16 +7,15 @@
 //! ξ = 0.1786178958448091   λ = -0.2123418310626054   χ = -0.06626458266981849
 //! ```
 //!
-//! Symplectic, so that energy does not drift, and its own mirror image: in fixed point it returns to the
-//! bit where every velocity is negated and the same ticks are run backwards.
+//! It is symplectic: energy does not drift. It is its own mirror image: negate every velocity, run the same ticks
+//! backwards, and in fixed point every bit returns.
 //!
-//! A kick works by a share of the step, of which two are negative: forces see it as a step of that length,
-//! and round once. The other way, h a times a share, needs a copy of the bodies and rounds twice; where a
-//! does not change it rounds alike every time, which in `I16F16` can make gravity wrong by 1e-4.
-//! Here what gravity keeps of its fraction stays.
+//! A kick takes a share of the step; two shares are negative. Forces see a share as a step of that length and round once.
+//! To multiply `h a` by a share instead needs a copy of the bodies and rounds twice. For a constant force both roundings
+//! repeat in every step: in `I16F16` gravity can then be wrong by 1e-4. As it is, gravity keeps its fraction.
 //!
-//! Order 4 for forces of position alone; 2 where they depend on time, which is the middle of the step for
-//! all four; 1 where they depend on velocity, which is what explicit drag does; exact drag makes it 2 ·
+//! Order 4 for forces that depend on position alone. Order 2 if they depend on time: all four calls see the middle of the
+//! step. Order 1 if they depend on velocity, as explicit drag does; exact drag makes it 2 ·
 //! four force calls · no bodies copied · stable for `h ω < 2.989`, explicit drag for `k h / m < 2.341` ·
 //! not with contacts · reversible
 //! Its price is five roundings of x: a steady cruise drifts up to five times as far as under
@@ -35,8 +34,8 @@ use crate::vec2::Vec2;
 
 /// The method for orbits, and for anything else without friction that must stay in phase for long.
 ///
-/// A force is asked four times a step, for a share of it each time: it must take `h` from `now.step`, and
-/// products with `h` from [`PerStep`], as the forces of this crate do. All four are of one instant.
+/// A force is called four times a step, each time for a share of it. So a force of yours must take `h` from `now.step`,
+/// and products with `h` from [`PerStep`], as the forces of this crate do. All four calls see one instant.
 ///
 /// ```
 /// use fixstep::{dec, vec2, AllPairs, Pefrl, Point, Pull, Step, World};

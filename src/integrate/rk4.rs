@@ -12,11 +12,10 @@
 //! v' = v + (k2 + k3) / 3 + (k1 + k4) / 6
 //! ```
 //!
-//! The rule for x is `x + h/6 (v + 2 v2 + 2 v3 + v4)`; put in `v2 = v + k1/2`, `v3 = v + k2/2` and
-//! `v4 = v + k3`. Sums of k are exact in fixed point, so x is rounded twice, v twice, and each k. Two
-//! thirds and one third of the same k round to that k: gravity keeps its fraction, and a body
-//! without forces moves as under semi-implicit Euler. A single sum for v would be six k long; this way sums
-//! saturate where a step changes v by a third of the range.
+//! The rule for x is `x + h/6 (v + 2 v2 + 2 v3 + v4)` with `v2 = v + k1/2`, `v3 = v + k2/2` and `v4 = v + k3`. Sums of k are
+//! exact in fixed point, so x is rounded twice, v twice, and each k once. Two thirds and one third of the same k add up to
+//! that k. So gravity keeps its fraction, and a body without forces moves as with semi-implicit Euler. One sum for v would
+//! be six k long. These sums saturate where a step changes v by a third of the range.
 //!
 //! Order 4, for forces of x, v and t · four force calls, at the start, twice in the middle, at the end
 //! · 48 bytes a body · stable for `h ω < 2.828`, below which a spring loses `(h ω)^6 / 144` of its

@@ -5,9 +5,9 @@
 //! θ' = θ + h s      s' = s + r×J / (2π I)   s in turns/s; r×J = r.x J.y - r.y J.x
 //! ```
 //!
-//! A [`Rigid`] is a body of rung one, its centre of mass, with a [rotor]. It has all the verbs of its centre,
-//! so worlds, methods and forces of rung one move it as they move points; what is about rotation is
-//! [`Rotating`], and [`torque`] has the forces that turn.
+//! A [`Rigid`] has a body of rung one as its centre of mass, and a [rotor]. It has all the verbs of its centre, so worlds,
+//! methods and forces of rung one move it as they move points. [`Rotating`] has what is about rotation, and
+//! [`torque`] the forces that turn a body.
 //!
 //! Source: Hecker, "Physics, Part 2: Angular Effects" (Game Developer, 1996).
 

@@ -1,17 +1,16 @@
 //! The state of a rigid body, as a snapshot holds it.
 //!
 //! ```text
-//! Rigid<C>        d   state of C   rotor          d is 1 for a driven body, of 1 kg here, else 0
+//! Rigid<C>        d   state of C   rotor          d is 1 for a kinematic body, else 0
 //! PlainRotor      θ        s       1/2πI
 //! CarriedRotor    θ θ      s       1/2πI    r     two halves of the angle, remainder of the spin
 //! ```
 //!
-//! No centre has an inverse mass of zero, and none is read: a driven one lends itself a kilogram for as
-//! long as it is saved. An inverse inertia is written as the scalar stores a coefficient: in fixed point a
-//! mantissa of 4 bytes and a byte for its shift.
+//! No centre is read with an inverse mass of zero. So a kinematic body is written with a mass of 1 kg. An inverse inertia
+//! is written as the scalar stores a coefficient: in fixed point a mantissa of 4 bytes and a byte for its shift.
 //!
-//! What is read is trusted in nothing: an inverse inertia is zero, or finite and greater; a driven body has
-//! zero and weighs its kilogram.
+//! Every value that is read is checked. An inverse inertia must be zero, or finite and positive. A kinematic body must
+//! have an inverse inertia of zero and a mass of 1 kg.
 
 use super::angle::Angle;
 use super::carried_rotor::CarriedRotor;

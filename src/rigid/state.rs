@@ -1,7 +1,7 @@
 //! The verbs of a rigid body: those of its centre, and as much for its rotor.
 //!
-//! A driven body has an inverse mass and inertia of zero. Kicks, which are the same for every mass, ask for it; so
-//! do pushes and torques, since infinity times zero is no number.
+//! A kinematic or static body has an inverse mass and an inverse inertia of zero. Kicks are the same for every mass, so they
+//! test for it. Pushes and torques test too, since infinity times zero is NaN.
 
 use super::rotor::Rotor;
 use super::{Centre, Rigid};

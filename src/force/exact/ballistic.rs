@@ -121,7 +121,7 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
             .filter(|(body, moved)| !(**moved || body.has_infinite_mass()));
         for (body, moved) in free {
             let inv_mass = body.inv_mass();
-            let flight = self.flight.get((inv_mass, whole), || {
+            let flight = self.flight.get((inv_mass, whole), |(inv_mass, whole)| {
                 Flight::new(self.acceleration, rates, inv_mass, whole)
             });
             body.drift_by(flight.time);

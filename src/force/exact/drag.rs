@@ -1,8 +1,8 @@
 //! Linear drag, solved exactly: `v' = v exp(-k h / m)`.
 //!
-//! A factor, not a force: velocities shrink and never change sign, however large `k h / m` is, and an
-//! undriven body follows the exact decay. Methods apply it beside their kicks, [`Verlet`] half before
-//! and half after, so its order stays 2.
+//! A factor, not a force: velocities shrink and never change sign, however large `k h / m` is. Without other forces a body
+//! follows the exact decay. Methods apply the factor beside their kicks. [`Verlet`] applies half before and half after, so
+//! its order stays 2.
 //! Source: the exact solution of `m v' = -k v`, the article's Eq. 12; the splitting is that of Strang,
 //! as Leimkuhler, Matthews, Appl. Math. Res. eXpress 2013 (2013), "O" of BAOAB.
 //!
@@ -71,7 +71,7 @@ impl<B: Body<S: Decay>> Force<B> for ExactDrag<B::S> {
     #[inline]
     fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
         let (inv_mass, whole) = (live.inv_mass(), part == Part::Whole);
-        let loss = self.loss.get((inv_mass, whole), || {
+        let loss = self.loss.get((inv_mass, whole), |(inv_mass, whole)| {
             let over = B::S::product(self.rate, inv_mass.into());
             let [loss, ..] = B::S::decay(if whole { over } else { half::<B::S>(over) });
             loss

@@ -7,9 +7,9 @@
 //! J   = μ (p21 d + (p22 - 1) w)          taken from body 1, added to body 2
 //! ```
 //!
-//! The centre of mass moves as the velocities say, the difference as a spring with one end fixed
-//! does. One impulse, used twice: the two sum to zero to the bit. The spring rests at a vector, not
-//! at a length, which keeps the motion linear: a rod that turns is no such pair.
+//! The centre of mass moves by its velocity, and the difference as a spring with one fixed end does. One impulse is used
+//! twice, so the two sum to zero to the bit. The rest position is a vector, not a length, which keeps the motion linear.
+//! So a spring that rotates with its bodies is no such pair.
 
 use super::propagator::{Propagator, Swing, length};
 use crate::body::Body;
@@ -22,7 +22,7 @@ use crate::time::{Now, TimeStep};
 use crate::vec2::Vec2;
 
 /// Draws two bodies to `rest` from each other by frequency and damping, exact in position and
-/// velocity at any step. Does nothing once a body is gone, where another flow has one, or where one is driven.
+/// velocity at any step. Does nothing once a body is gone, where another flow has one, or where one is kinematic or static.
 ///
 /// A force on one of the two alone is kicked in between; gravity, the same for both, disturbs nothing.
 ///
@@ -67,7 +67,7 @@ impl<S: Decay> ExactPair<S> {
 
     #[inline]
     fn entries(&mut self, step: &impl TimeStep<S>, whole: bool) -> [S::Coef; 4] {
-        self.entries.get((step.coef(), whole), || {
+        self.entries.get((step.coef(), whole), |(_, whole)| {
             Propagator::<S>::entries(self.swing, length(step.seconds(), whole))
         })
     }

@@ -1,7 +1,7 @@
 //! Quadratic drag, solved exactly: `v' = v / (1 + c |v| h / m)`.
 //!
-//! A factor, not a force: velocities shrink and never change sign at any speed, where the explicit
-//! force makes a body faster from `c |v| h / m = 2`.
+//! A factor, not a force: velocities shrink and never change sign, at any speed. The explicit force makes a body faster
+//! from `c |v| h / m = 2`.
 //! Source: the exact solution of `m v' = -c |v| v`; the direction stays, and `1/|v|` grows by `c h / m`.
 
 use crate::body::Body;

@@ -1,10 +1,10 @@
 //! A spring to a fixed point, solved exactly: in position and in velocity, at any step and damping.
 //!
-//! A flow: it replaces the drift of its body. Impulses and kicks of other forces come in between, and
-//! what they start is exact again. The rest length is zero, so the axes do not mix.
+//! It is a *flow*: it replaces the drift of its body. Other forces kick between two flows, and the motion that they start
+//! is exact again. The rest length is zero, so the axes do not mix.
 //!
-//! A constant acceleration moves the point of rest by `g / ω²`. Told of it, the spring takes back the kick
-//! that [`Gravity`](crate::Gravity) gave its body and swings about the point where it hangs.
+//! A constant acceleration moves the rest position by `g / ω²`. A spring made [`with_gravity`](ExactSpring::with_gravity)
+//! takes back the kick that [`Gravity`](crate::Gravity) gave its body, and swings about the point where it hangs.
 
 use super::oscillation;
 use super::propagator::{Propagator, Swing, length};
@@ -114,8 +114,8 @@ impl<S: Scalar> ExactSpring<S> {
 
     #[inline]
     fn motion(&mut self, step: &impl TimeStep<S>, whole: bool) -> Motion<S> {
-        self.motion.get((step.coef(), whole), || {
-            let gains = |load: Load<S>| load.acceleration.array().map(|g| g.gain(step.coef()));
+        self.motion.get((step.coef(), whole), |(h, whole)| {
+            let gains = |load: Load<S>| load.acceleration.array().map(|g| g.gain(h));
             Motion {
                 propagator: Propagator::new(self.swing, length(step.seconds(), whole)),
                 kick: self.load.map(gains),

@@ -6,8 +6,8 @@
 //! s1 += (p1 - x1)×J / 2πI1,  s2 -= (p2 - x2)×J / 2πI2
 //! ```
 //!
-//! The impulse is along `p2 - p1` but for its rounding, so that both torques together are none about any
-//! point: angular momentum walks by roundings alone.
+//! The impulse is along `p2 - p1` but for its rounding. So both torques cancel about any point, and angular momentum
+//! changes by rounding alone.
 
 use crate::force::{PairForce, ReversiblePair, Spring};
 use crate::rigid::Rotating;

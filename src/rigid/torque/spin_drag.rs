@@ -70,7 +70,7 @@ impl<B: Rotating<S: Decay + Angular>> Force<B> for SpinDrag<B::S> {
     #[inline]
     fn damp<H: TimeStep<B::S>>(&mut self, _now: &Now<H>, part: Part, live: &mut B) {
         let (inv_inertia, whole) = (live.inv_inertia(), part == Part::Whole);
-        let loss = self.loss.get((inv_inertia, whole), || {
+        let loss = self.loss.get((inv_inertia, whole), |(inv_inertia, whole)| {
             let over = B::S::product(self.rate, inv_inertia);
             let [loss, ..] = B::S::decay(if whole { over } else { half::<B::S>(over) });
             loss
