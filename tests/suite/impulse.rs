@@ -135,7 +135,7 @@ fn check_impulses<C: Middle>(what: &str, remainder: f64) {
         0.0
     };
     let (mut velocities, mut spins) = (Vec::new(), Vec::new());
-    for _ in 0..10_000 {
+    for _ in 0..long(10_000) {
         let mut body = draw.body::<C>();
         let start = body;
         let (arm, impulse) = (draw.vector::<C::S>(4.0), draw.vector::<C::S>(8.0));

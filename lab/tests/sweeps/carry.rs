@@ -3,14 +3,27 @@
 use crate::support;
 
 #[path = "../../../tests/suite/carry/bits.rs"]
-#[allow(dead_code, reason = "the quick suite uses the others")]
 mod bits;
 #[path = "carry/cruise.rs"]
 mod cruise;
+#[path = "../../../tests/suite/carry/exchange.rs"]
+mod exchange;
+#[path = "../../../tests/suite/carry/fall.rs"]
+mod fall;
+#[path = "../../../tests/suite/carry/floats.rs"]
+mod floats;
+#[path = "../../../tests/suite/carry/flows.rs"]
+mod flows;
 #[path = "../../../tests/suite/carry/momentum.rs"]
 mod momentum;
+#[path = "../../../tests/suite/carry/range.rs"]
+mod range;
 #[path = "carry/spring.rs"]
 mod spring;
+#[path = "../../../tests/suite/carry/symmetry.rs"]
+mod symmetry;
+#[path = "../../../tests/suite/carry/verbs.rs"]
+mod verbs;
 
 /// Median and maximum of the errors of a body, in two columns of the table of long runs.
 fn told(body: &str, column: usize, errors: &[f64]) {

@@ -10,6 +10,8 @@ mod rounding;
 mod stability;
 
 // Of the quick suite: here optimised, with all their steps and number types.
+#[path = "../../../tests/suite/accumulator.rs"]
+mod accumulator;
 #[path = "../../../tests/suite/capacity.rs"]
 mod capacity;
 #[path = "../../../tests/suite/exact_drag.rs"]
@@ -20,6 +22,8 @@ mod exact_spring;
 mod firmware;
 #[path = "../../../tests/suite/high_order.rs"]
 mod high_order;
+#[path = "../../../tests/suite/impulse.rs"]
+mod impulse;
 #[path = "../../../tests/suite/invariants.rs"]
 mod invariants;
 #[path = "../../../tests/suite/laws.rs"]

@@ -99,12 +99,14 @@ fn check<S: Fine>(kept: Kept<S>, impulse: i32, inv_mass: S::InvMass, met: &mut M
 
 fn check_all<S: Fine>(seed: u64) {
     let (mut random, mut met) = (Random(seed), Met::default());
-    for _ in 0..100_000 {
+    for _ in 0..long(100_000) {
         let (kept, impulse) = (state::<S>(&mut random), number(&mut random, 31));
         check(kept, impulse, inv_mass::<S>(&mut random), &mut met);
     }
     println!("{} {met:?}", S::name());
-    assert!(met.exact > 50_000 && met.saturated > 5_000 && met.heavy > 10_000);
+    let least = |count| long(count) as usize;
+    assert!(met.exact as usize > least(50_000));
+    assert!(met.saturated as usize > least(5_000) && met.heavy as usize > least(10_000));
 }
 
 #[test]

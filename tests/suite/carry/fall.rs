@@ -7,7 +7,7 @@ use fixstep::{Body, Carried, GravityY, PerBody, Point, Scalar, Step, Time, Vec2,
 use super::bits::Fine;
 use crate::support::*;
 
-const STEPS: u32 = 3600;
+const STEPS: u32 = if LAB { 3600 } else { 600 };
 
 /// A fall from 0.9 of the range to its middle, from sixteen starts: errors in m at the end beside
 /// `v t + g t²/2`.

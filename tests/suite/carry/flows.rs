@@ -19,7 +19,7 @@ fn place(random: &mut Random) -> i64 {
 
 fn check_beyond<S: Fine>() {
     let mut random = Random(17);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let (at, from) = (
             place(&mut random),
             S::of_units(number(&mut random).max(-i32::MAX)),
@@ -46,7 +46,7 @@ fn check_beyond<S: Fine>() {
 
 fn check_mirrored<S: Fine>() {
     let mut random = Random(19);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let (at, about) = (place(&mut random), S::of_units(number(&mut random)));
         let exact = ((about.units() as i128) << 33) - at as i128;
         let found = S::mirrored(at, about) as i128;
@@ -70,7 +70,7 @@ fn check_mirrored<S: Fine>() {
 /// Two products, each half a unit of `2^-15` off.
 fn check_kicked_as<S: Fine>() {
     let mut random = Random(23);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let mut kept = || (S::of_units(number(&mut random)), rest(&mut random));
         let (v, value) = (kept(), kept());
         let factor = factor::<S>(&mut random);

@@ -59,7 +59,7 @@ fn seen(place: i128) -> i128 {
 fn check_seen<S: Fine>() {
     let mut random = Random(3);
     let halves = [0, 1, (1 << 31) - 1, 1 << 31, (1 << 31) + 1, u32::MAX];
-    for i in 0..200_000 {
+    for i in 0..long(200_000) {
         let low = match i % 2 {
             0 => halves[(random.next() % 6) as usize],
             _ => random.next() as u32,
@@ -101,7 +101,7 @@ fn assert_place<S: Fine>(found: i64, exact: i128, off: i128, what: &str) {
 
 fn check_moved<S: Fine>() {
     let mut random = Random(5);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let place = (number(&mut random) as i64) << 32 | random.next() as u32 as i64;
         let (value, factor) = (S::of_units(number(&mut random)), factor::<S>(&mut random));
         for halvings in [0, 1] {
@@ -126,7 +126,7 @@ fn check_moved<S: Fine>() {
 
 fn check_dyadic<S: Fine, const NUM: u32, const SHIFT: u32>() {
     let mut random = Random(7);
-    for i in 0..50_000 {
+    for i in 0..long(50_000) {
         let low = if i % 2 == 0 { 0 } else { random.next() as u32 };
         let place = (number(&mut random) as i64) << 32 | low as i64;
         let value = S::of_units(number(&mut random));
@@ -140,7 +140,7 @@ fn check_dyadic<S: Fine, const NUM: u32, const SHIFT: u32>() {
 
 fn check_kicked<S: Fine>() {
     let mut random = Random(11);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let kept = (S::of_units(number(&mut random)), rest(&mut random));
         let (value, factor) = (S::of_units(number(&mut random)), factor::<S>(&mut random));
         let (v, left) = S::kicked(kept, value, factor);
@@ -175,7 +175,7 @@ fn loss<S: Fine>(random: &mut Random) -> S::Coef {
 
 fn check_damped<S: Fine>() {
     let mut random = Random(13);
-    for _ in 0..60_000 {
+    for _ in 0..long(60_000) {
         let kept = (S::of_units(number(&mut random)), rest(&mut random));
         let (before, loss) = (fine_of(kept.0, kept.1), loss::<S>(&mut random));
         // A sum at the end of the range may leave its remainder beyond it; the next cuts it off.
