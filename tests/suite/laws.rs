@@ -1,7 +1,7 @@
 //! Every number type that comes with the crate keeps the number law.
 
 #[path = "laws/float.rs"]
-mod float;
+pub mod float;
 #[path = "laws/integer.rs"]
 pub mod integer;
 #[path = "laws/judge.rs"]
@@ -18,8 +18,7 @@ use fixstep::Scalar;
 use fixstep::fixed::types::{I1F31, I1F63, I8F24, I12F20, I16F16, I20F12, I32F32};
 use float::Floats;
 use integer::Integers;
-use judge::{Factors, corners, pairs, ratios, values};
-use proptest::prelude::*;
+use judge::{corners, pairs, ratios, values};
 
 /// Random pairs for each number type.
 const PAIRS: u64 = long(1_000_000);
@@ -152,34 +151,4 @@ fn one_nan_and_one_zero() {
     float::canonical(&nans.map(f64::from_bits), &[0.0, -0.0]);
     assert_eq!(Scalar::bits(1.5_f32), u64::from(1.5_f32.to_bits()));
     assert_eq!(Scalar::bits(-1.5_f64), (-1.5_f64).to_bits());
-}
-
-fn config() -> ProptestConfig {
-    ProptestConfig {
-        failure_persistence: None,
-        ..ProptestConfig::with_cases(512)
-    }
-}
-
-proptest! {
-    #![proptest_config(config())]
-
-    #[test]
-    fn fixed_point_of_32_bits(a: i32, b: i32) {
-        judge::pair::<I16F16, Integers>(I16F16::from_bits(a), I16F16::from_bits(b));
-        judge::pair::<I8F24, Integers>(I8F24::from_bits(a), I8F24::from_bits(b));
-        judge::value::<I12F20, Integers>(I12F20::from_bits(a), &Factors::some::<Integers>());
-    }
-
-    #[test]
-    fn fixed_point_of_64_bits(a: i64, b: i64) {
-        judge::pair::<I32F32, Integers>(I32F32::from_bits(a), I32F32::from_bits(b));
-        judge::value::<I32F32, Integers>(I32F32::from_bits(a), &Factors::some::<Integers>());
-    }
-
-    #[test]
-    fn floats(a in prop::num::f32::ANY, b in prop::num::f32::ANY) {
-        judge::pair::<f32, Floats>(a, b);
-        judge::value::<f32, Floats>(a, &Factors::some::<Floats>());
-    }
 }

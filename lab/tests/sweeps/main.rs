@@ -4,6 +4,7 @@ use fixstep_lab::support;
 
 mod angular_momentum;
 mod carry;
+mod drawn;
 mod kepler;
 mod long_run;
 mod rounding;
