@@ -24,8 +24,8 @@ use crate::vec2::Vec2;
 /// let mut world = World::<_, 2>::new();
 /// world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
 /// let far = world.add(Point::new(vec2(8, 0)?, vec2(0, 0)?, 1)?)?;
-/// world.step(&mut SemiImplicitEuler, &mut pull, &Step::hz(4)?);
-/// assert_eq!(world.get(far)?.velocity(), vec2(-2, 0)?); // 8 N for 1/4 s, 1 kg
+/// world.step(&mut SemiImplicitEuler, &mut pull, &Step::hz(8)?);
+/// assert_eq!(world.get(far)?.velocity(), vec2(-1, 0)?); // 8 N for 1/8 s, 1 kg
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

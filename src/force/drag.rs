@@ -16,8 +16,8 @@ use crate::time::{Now, TimeStep};
 /// use fixstep::prelude::*;
 /// let mut world = World::<Point<f32>, 1>::new();
 /// let id = world.add(Point::new(vec2(0, 0)?, vec2(4, 0)?, 1)?)?;
-/// let mut drag = LinearDrag::new(2)?;
-/// world.step(&mut SemiImplicitEuler, &mut drag, &Step::hz(4)?);
+/// let mut drag = LinearDrag::new(4)?;
+/// world.step(&mut SemiImplicitEuler, &mut drag, &Step::hz(8)?);
 /// assert_eq!(world.get(id)?.velocity(), vec2(2, 0)?); // k h / m is 1/2
 /// # Ok::<(), fixstep::Error>(())
 /// ```

@@ -20,8 +20,8 @@ use crate::vec2::Vec2;
 /// let mut world = World::<Point<f32>, 1>::new();
 /// let id = world.add(Point::new(vec2(0, 0)?, vec2(3, 0)?, 1)?)?;
 /// let mut gravity = Gravity::new(vec2(0, -8)?);
-/// world.step(&mut SemiImplicitEuler, &mut gravity, &Step::hz(4)?);
-/// assert_eq!(world.get(id)?.velocity(), vec2(3, -2)?);
+/// world.step(&mut SemiImplicitEuler, &mut gravity, &Step::hz(8)?);
+/// assert_eq!(world.get(id)?.velocity(), vec2(3, -1)?); // 8 m/s² for 1/8 s
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -39,7 +39,8 @@
 //! * A spring between two bodies makes an impulse in kg m/s, a scalar itself. With masses far from 1 kg its unit is
 //!   coarse for the light body, and its range short for the heavy one.
 //! * With `SemiImplicitEuler` and `Verlet` a force reads velocities that coupled forces have already changed. So drag
-//!   brakes what a spring has just pushed: a body that hangs in both comes to rest about `k_drag h / m` of its sag lower.
+//!   brakes what a spring has just pushed. A body that hangs in both comes to rest lower, by about `k_drag h / m` of
+//!   its sag.
 
 mod all_bodies;
 mod anchor;

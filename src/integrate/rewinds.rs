@@ -7,8 +7,8 @@
 //! Why this restores every bit: drift and product are odd, so `x + d(v) + d(-v) = x` whatever was rounded.
 //! Kicks depend on positions and time alone, so `-(v + a) + a = -v`. The sums lose nothing.
 //!
-//! The stages use the number of the tick that is undone. The fractions of gravity depend on it, and so do *spans*: a
-//! step of `h` that is no number of units alternates between two roundings of `h`.
+//! The stages use the number of the tick that is undone. The fractions of gravity depend on it, and so do *spans*:
+//! two roundings of `h`, one just below and one just above, used alternately.
 //!
 //! Source: Rein, Tamayo, "JANUS: a bit-wise reversible integrator for N-body dynamics", MNRAS 473
 //! (2018), arXiv:1704.07715: state on a grid of integers, any rounding of the kicks. The same for the

@@ -7,10 +7,10 @@
 //! P² = (C² - S² + ζ² S²) + 2 C S N
 //! ```
 //!
-//! q is halved until series of a few terms are exact, and the result squared as often: one formula
-//! below, at and above critical damping. No root, no trigonometry, no float. Numbers have 60
-//! fractional bits, and each squaring costs one. A spring of one period a step keeps 54. A spring of 10^9 periods a step
-//! keeps none of its phase.
+//! q is halved until series of a few terms are exact, and the result is squared as often. One formula
+//! holds below, at and above critical damping. It needs no root, no trigonometry and no float. Numbers have 60
+//! fractional bits, and each squaring costs one. A spring of one period a step keeps 54.
+//! A spring of 10^9 periods a step keeps none of its phase.
 //! Source: the solution of `x'' = -ω² x - 2 ζ ω x'`; scaling and squaring as Higham, "Functions of
 //! Matrices" (2008), 10.3, has it.
 

@@ -17,8 +17,8 @@ use crate::vec2::Vec2;
 /// let door = Rigid::new(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?, 1)?.with_angle(Angle::degrees(120));
 /// let mut world = World::<_, 1>::new();
 /// let id = world.add(door)?;
-/// world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(4)?);
-/// let exact = -0.25 / core::f32::consts::TAU; // -1 N m for 1/4 s, 1 kg m²
+/// world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(8)?);
+/// let exact = -0.125 / core::f32::consts::TAU; // -1 N m for 1/8 s, 1 kg m²
 /// assert!((world.get(id)?.spin() - exact).abs() < 1e-6);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
