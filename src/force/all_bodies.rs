@@ -9,19 +9,24 @@ use crate::scalar::Scalar;
 use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
-/// A force, in newtons, that `F` computes for each body from the time, all bodies and the place
-/// of the body among them; for worlds of up to `N` bodies. A force alone: for a torque write a
-/// [`Force`].
+/// A force, in newtons, that `F` computes for each body from the time, all bodies and the index of the body.
+/// For worlds of up to `N` bodies. For a torque implement [`Force`].
 ///
 /// ```
-/// use fixstep::{AllBodies, Body, Point, Time, Vec2};
+/// use fixstep::{AllBodies, Time, prelude::*};
 /// // Every body is drawn to the first one.
-/// let pull = AllBodies::<_, f32, 16>::new(|_: Time, all: &[Point<f32>], i: usize| {
+/// let mut pull = AllBodies::<_, f32, 2>::new(|_: Time, all: &[Point<f32>], i: usize| {
 ///     match (all.first(), all.get(i)) {
 ///         (Some(first), Some(body)) => first.position() - body.position(),
 ///         _ => Vec2::ZERO,
 ///     }
 /// });
+/// let mut world = World::<_, 2>::new();
+/// world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let far = world.add(Point::new(vec2(8, 0)?, vec2(0, 0)?, 1)?)?;
+/// world.step(&mut SemiImplicitEuler, &mut pull, &Step::hz(8)?);
+/// assert_eq!(world.get(far)?.velocity(), vec2(-1, 0)?); // 8 N for 1/8 s, 1 kg
+/// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct AllBodies<F, S, const N: usize> {

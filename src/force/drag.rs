@@ -13,8 +13,12 @@ use crate::time::{Now, TimeStep};
 /// A force against the velocity and in proportion to it, on every body.
 ///
 /// ```
-/// use fixstep::{dec, LinearDrag};
-/// let drag = LinearDrag::<f32>::new(dec!(0.1))?;
+/// use fixstep::prelude::*;
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(4, 0)?, 1)?)?;
+/// let mut drag = LinearDrag::new(4)?;
+/// world.step(&mut SemiImplicitEuler, &mut drag, &Step::hz(8)?);
+/// assert_eq!(world.get(id)?.velocity(), vec2(2, 0)?); // k h / m is 1/2
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

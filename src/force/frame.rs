@@ -5,8 +5,8 @@ use crate::body::id::{self, BodyId};
 
 /// Bodies to read and the same bodies to push, in the order of their ids.
 ///
-/// The two are one array where a method lets a force see what the forces before it did, and two
-/// where all forces act from one instant.
+/// They are one array where a force sees the changes of the forces before it. They are two arrays where all
+/// forces act from one instant.
 ///
 /// ```
 /// use fixstep::{Body, Frame, prelude::*};
@@ -55,7 +55,7 @@ impl<'a, B: Body> Frame<'a, B> {
         self.seen.unwrap_or(self.live)
     }
 
-    /// The body of that name as forces are to see it, and where it stands.
+    /// The index of the body with this id, and the body as forces see it.
     #[inline]
     #[must_use]
     pub fn find(&self, id: BodyId) -> Option<(usize, B)> {
@@ -63,12 +63,12 @@ impl<'a, B: Body> Frame<'a, B> {
         Some((index, *self.bodies().get(index)?))
     }
 
-    /// Where the body of that name stands. Not inlined where size counts.
+    /// The index of the body with this id. Not inlined where size counts.
     pub(crate) fn index_of(&self, id: BodyId) -> Option<usize> {
         id::position(self.ids, id)
     }
 
-    /// The two bodies at those places, to read and to push; `None` if they are one, or not there.
+    /// The two bodies at these indices, to read and to push. `None` if the indices are equal or out of range.
     #[inline]
     pub(crate) fn pair(&mut self, i: usize, j: usize) -> Option<([B; 2], [&mut B; 2])> {
         let apart = self.seen;
@@ -86,13 +86,13 @@ impl<'a, B: Body> Frame<'a, B> {
         self.live
     }
 
-    /// The body to push at that place.
+    /// The body to push at this index.
     #[inline]
     pub fn live_at(&mut self, index: usize) -> Option<&mut B> {
         self.live.get_mut(index)
     }
 
-    /// The two bodies to push at those places; `None` if they are one, or not there.
+    /// The two bodies to push at these indices. `None` if the indices are equal or out of range.
     #[inline]
     pub fn live_pair(&mut self, i: usize, j: usize) -> Option<[&mut B; 2]> {
         self.live.get_disjoint_mut([i, j]).ok()

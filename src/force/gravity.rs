@@ -16,8 +16,12 @@ use crate::vec2::Vec2;
 /// The same acceleration for every body.
 ///
 /// ```
-/// use fixstep::{dec, vec2, Gravity};
-/// let gravity = Gravity::new(vec2::<f32>(0, dec!(-9.81))?);
+/// use fixstep::prelude::*;
+/// let mut world = World::<Point<f32>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(3, 0)?, 1)?)?;
+/// let mut gravity = Gravity::new(vec2(0, -8)?);
+/// world.step(&mut SemiImplicitEuler, &mut gravity, &Step::hz(8)?);
+/// assert_eq!(world.get(id)?.velocity(), vec2(3, -1)?); // 8 m/s² for 1/8 s
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -67,8 +71,14 @@ impl<B: Body> Force<B> for Gravity<B::S> {
 /// Gravity along y, the usual case: one addition a body instead of two.
 ///
 /// ```
-/// use fixstep::{dec, GravityY, fixed::types::I16F16};
-/// let gravity = GravityY::<I16F16>::new(dec!(-9.81))?;
+/// use fixstep::{fixed::types::I16F16, prelude::*};
+/// let mut world = World::<Point<I16F16>, 1>::new();
+/// let id = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let mut gravity = GravityY::new(dec!(-9.81))?;
+/// for _ in 0..60 {
+///     world.step(&mut Verlet, &mut gravity, &Step::hz(60)?);
+/// }
+/// assert!((world.get(id)?.velocity().y.to_f64() + 9.81).abs() < 1e-4); // after 1 s
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -56,7 +56,7 @@ impl<B: Body, F: Force<B>> Force<B> for [F] {
     }
 }
 
-/// Hands every verb to `self` seen as `$target`.
+/// Forwards every function to `self` as `$target`.
 macro_rules! forward {
     ($self:ident => $target:ty, $deref:expr, $deref_mut:expr) => {
         const COUPLES: bool = <$target>::COUPLES;

@@ -1,4 +1,4 @@
-//! What a force has made for one key, and keeps until it is asked for another.
+//! A value that a force computes for one key, and keeps until the key changes.
 
 /// A value and the key it was made for, such as the length of a step or the mass of a body.
 #[derive(Clone, Copy, Debug)]
@@ -10,7 +10,7 @@ impl<K: Copy + PartialEq, T: Copy> Memo<K, T> {
         Memo(None)
     }
 
-    /// What `make` makes of `key`, made anew only where the key before was another.
+    /// The value of `make` for `key`. It is computed again only where the key has changed.
     #[inline]
     pub(crate) fn get(&mut self, key: K, make: impl FnOnce(K) -> T) -> T {
         match self.0 {
@@ -19,7 +19,7 @@ impl<K: Copy + PartialEq, T: Copy> Memo<K, T> {
         }
     }
 
-    /// Has the next call make its value anew: what it depends on beside the key has changed.
+    /// Makes the next call compute its value again, since something other than the key has changed.
     pub(crate) fn forget(&mut self) {
         self.0 = None;
     }

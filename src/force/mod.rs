@@ -14,21 +14,21 @@
 //! | [`AllBodies`] | every body, from all | your function, 8 bytes a body in the force |
 //! | [`ExactDrag`] | every body, damped | a product an axis; an exponential where the mass changes |
 //! | [`ExactQuadraticDrag`] | every body, damped | a square root, a division, two products and one more an axis |
-//! | [`Ballistic`] | every body, in place of its drift | two products an axis; an exponential where the mass changes |
-//! | [`ExactSpring`] | one body, in place of its drift | three products an axis, four if damped |
-//! | [`ExactPair`] | two bodies, in place of their drift | five divisions, some products |
+//! | [`Ballistic`] | every body, instead of its drift | two products an axis; an exponential where the mass changes |
+//! | [`ExactSpring`] | one body, instead of its drift | three products an axis, four if damped |
+//! | [`ExactPair`] | two bodies, instead of their drift | five divisions, some products |
 //!
 //! [`Pairs`] and [`AllPairs`] choose the bodies between which a spring or a pull acts. A tuple of forces is a force. So is
 //! an array, a `heapless::Vec` or an `Option` of one force. A [`Window`] limits a force to some steps.
 //!
 //! # How a force acts
 //!
-//! | verb | it sees | when |
+//! | function | sees | when |
 //! |---|---|---|
 //! | [`couple`](Force::couple) | all bodies | before the loop over the bodies |
 //! | [`field`](Force::field) | one body | inside the loop that moves it |
 //! | [`damp`](Force::damp) | one body | after the kicks, or half before and half after them |
-//! | [`flow`](Force::flow) | all bodies | in place of the drift |
+//! | [`flow`](Force::flow) | all bodies | instead of the drift |
 //!
 //! A *kick* changes a velocity, a *drift* a position. A *flow* is an exact solution that replaces both for its bodies. A
 //! body has one flow at most: the first in the tuple.
@@ -39,7 +39,8 @@
 //! * A spring between two bodies makes an impulse in kg m/s, a scalar itself. With masses far from 1 kg its unit is
 //!   coarse for the light body, and its range short for the heavy one.
 //! * With `SemiImplicitEuler` and `Verlet` a force reads velocities that coupled forces have already changed. So drag
-//!   brakes what a spring has just pushed: a body that hangs in both rests about `k_drag h / m` of its sag lower.
+//!   brakes what a spring has just pushed. A body that hangs in both comes to rest lower, by about `k_drag h / m` of
+//!   its sag.
 
 mod all_bodies;
 mod anchor;
@@ -100,7 +101,7 @@ pub enum Part {
     SecondHalf,
 }
 
-/// Something that changes velocities. A force implements the verbs it needs.
+/// Something that changes velocities. A force implements the functions it needs.
 ///
 /// ```
 /// use fixstep::time::{Now, TimeStep};
@@ -139,7 +140,7 @@ pub trait Force<B: Body> {
     /// # Ok::<(), fixstep::Error>(())
     /// ```
     ///
-    /// A flow takes the place of a drift. [`Euler`](crate::Euler) and
+    /// A flow replaces a drift. [`Euler`](crate::Euler) and
     /// [`ConstantAcceleration`](crate::ConstantAcceleration) drift by the velocity before the kick,
     /// and do not compile with one:
     ///
@@ -187,9 +188,9 @@ pub trait Force<B: Body> {
         let _ = (now, part, live);
     }
 
-    /// Moves bodies through this part of the step by the exact solution of their motion, in place
-    /// of their drift, and marks each in `moved`; leaves alone those which are marked already. It turns what
-    /// it moves, by [`Body::drift_angle`] or [`Body::drift_angle_half`].
+    /// Moves bodies through this part of the step by the exact solution of their motion, instead of their drift.
+    /// It marks each body that it moves in `moved`, and skips those that are marked already. It rotates the bodies
+    /// that it moves by [`Body::drift_angle`] or [`Body::drift_angle_half`].
     #[inline]
     fn flow<H: TimeStep<B::S>>(
         &mut self,

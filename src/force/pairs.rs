@@ -53,25 +53,27 @@ pub trait PairForce<B: Body> {
 }
 
 /// A force between the bodies of each pair in a list: an array, or a `heapless::Vec` to which the
-/// scene adds. A pair of which one is gone, or which names a body twice, does nothing.
+/// scene adds. A pair does nothing if one body is gone, or if both ids are the same.
 ///
 /// ```
-/// use fixstep::{heapless, vec2, BodyId, Pairs, Point, Spring, World};
+/// use fixstep::{heapless, prelude::*};
 /// let mut world = World::<Point<f32>, 8>::new();
 /// let mut chain = Pairs::new(Spring::<f32>::new(1, 40, 2)?, heapless::Vec::<[BodyId; 2], 7>::new());
-/// let mut last = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?).unwrap();
+/// let mut last = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
 /// for x in 1..8 {
-///     let next = world.add(Point::new(vec2(x, 0)?, vec2(0, 0)?, 1)?).unwrap();
-///     chain.pairs.push([last, next]).unwrap(); // a full list gives the pair back
+///     let next = world.add(Point::new(vec2(x, 0)?, vec2(0, 0)?, 1)?)?;
+///     chain.pairs.push([last, next]).unwrap(); // a full list returns the pair in the error
 ///     last = next;
 /// }
+/// world.step(&mut SemiImplicitEuler, &mut chain, &Step::hz(60)?);
+/// assert_eq!(world.get(last)?.position(), vec2(7, 0)?); // no spring is stretched
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pairs<L, P> {
     /// What acts.
     pub law: L,
-    /// On whom.
+    /// The pairs of bodies that it acts on.
     pub pairs: P,
 }
 
@@ -119,8 +121,14 @@ impl<B: Body, L: PairForce<B>, P: AsRef<[[BodyId; 2]]>> Force<B> for Pairs<L, P>
 /// A force between every two bodies of the world: `n (n - 1) / 2` pairs, in the order of ids.
 ///
 /// ```
-/// use fixstep::{dec, AllPairs, Pull};
-/// let gravitation = AllPairs(Pull::<f32>::new(1, dec!(0.05))?);
+/// use fixstep::{AllPairs, Pull, prelude::*};
+/// let mut world = World::<Point<f64>, 3>::new();
+/// for x in [0, 1, 2] {
+///     world.add(Point::new(vec2(x, 0)?, vec2(0, 0)?, 1)?)?;
+/// }
+/// let mut gravitation = AllPairs(Pull::new(1, dec!(0.05))?);
+/// world.step(&mut SemiImplicitEuler, &mut gravitation, &Step::hz(60)?);
+/// assert!(world.momentum().x.abs() < 1e-15); // the body between the others is pulled both ways
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -6,16 +6,21 @@ use crate::scalar::Scalar;
 use crate::time::{Now, Time, TimeStep};
 use crate::vec2::Vec2;
 
-/// A force, in newtons, that `F` computes from the time and the body alone; an [`Effort`], for bodies that turn a
-/// force and a torque.
+/// A force, in newtons, that `F` computes from the time and the body alone. For bodies that rotate it can be a
+/// force and a torque: any [`Effort`].
 ///
 /// ```
-/// use fixstep::{vec2, Body, PerBody, Point, Time, Vec2};
+/// use fixstep::{Time, prelude::*};
 /// // Wind that blows above the ground only.
-/// let wind = PerBody(|_: Time, body: &Point<f32>| {
+/// let mut wind = PerBody(|_: Time, body: &Point<f32>| {
 ///     let blows = body.position().y > 0.0;
 ///     Vec2::new(if blows { 2.0 } else { 0.0 }, 0.0)
 /// });
+/// let mut world = World::<_, 1>::new();
+/// let kite = world.add(Point::new(vec2(0, 9)?, vec2(0, 0)?, 4)?)?;
+/// world.step(&mut SemiImplicitEuler, &mut wind, &Step::hz(8)?);
+/// assert_eq!(world.get(kite)?.velocity().x, 0.0625); // 2 N, 4 kg, 1/8 s
+/// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PerBody<F>(
@@ -23,17 +28,21 @@ pub struct PerBody<F>(
     pub F,
 );
 
-/// What a function says that a body feels: a force, or for a body that turns a
+/// What a function of [`PerBody`] returns: a force, or for a body that rotates a
 /// [`Wrench`](crate::rigid::torque::Wrench).
 ///
 /// ```
-/// use fixstep::{PerBody, Time, prelude::*, rigid::torque::Wrench};
-/// // A force is an effort, and so is a force with a torque.
-/// let push = PerBody(|_: Time, _: &Point<f32>| Vec2::new(1.0, 0.0));
-/// let both = PerBody(|_: Time, _: &Rigid<Point<f32>>| Wrench { force: Vec2::ZERO, torque: 2.0 });
+/// use fixstep::{force::Effort, prelude::*, rigid::torque::Wrench};
+/// let seen = Rigid::new(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 4)?, 1)?;
+/// let mut live = seen;
+/// Vec2::new(2.0, 0.0).act(0.5, &seen, &mut live); // a force of 2 N for half a second
+/// assert_eq!(live.velocity(), vec2(dec!(0.25), 0)?);
+/// Wrench { force: Vec2::ZERO, torque: 2.0 }.act(0.5, &seen, &mut live);
+/// assert!((live.spin() - 1.0 / core::f32::consts::TAU).abs() < 1e-6); // 1 rad/s
+/// # Ok::<(), fixstep::Error>(())
 /// ```
 pub trait Effort<B: Body> {
-    /// Changes the velocity of `live`, as `seen` feels it for a time `h`.
+    /// Changes the velocity of `live` by what acts on `seen` for a time `h`.
     fn act(self, h: <B::S as Scalar>::Coef, seen: &B, live: &mut B);
 }
 

@@ -27,8 +27,8 @@ use crate::time::{Now, TimeStep};
 ///
 /// A body that no force moves has no mass to pull with.
 ///
-/// Close bodies need a small step: two that turn about each other at distance ε do so at
-/// `sqrt(G (m1 + m2) / s³)` rad/s, which times h must stay well below 2.
+/// Close bodies need a small step. Two bodies at distance ε orbit each other at `sqrt(G (m1 + m2) / s³)` rad/s.
+/// This rate times h must stay well below 2.
 ///
 /// ```
 /// use fixstep::{AllPairs, Pull, prelude::*};
@@ -67,7 +67,7 @@ impl<S: Scalar> Pull<S> {
         if softening == S::ZERO {
             return Err(Error::RoundsToZero { field, value });
         }
-        // No distance asks for a larger coefficient than ε does.
+        // No distance needs a larger coefficient than ε does.
         let largest = (0..3).try_fold(strength, |product, _| product.over(value));
         let fits = |ratio: Ratio| (ratio.num() as u64) >> S::COEF_BITS < ratio.den();
         if !largest.is_some_and(fits) {

@@ -1,7 +1,7 @@
 //! A constant force on one body: a thruster, a motor, a hand.
 //!
-//! In fixed point `F h / m` seldom fits the type; as with gravity its fraction is spread over the
-//! ticks, so that the velocity gained in n steps is `n h F / m` rounded once.
+//! In fixed point `F h / m` seldom fits the type. As with gravity its fraction is spread over the
+//! ticks. So the velocity gained in n steps is `n h F / m` rounded once.
 
 use crate::body::Body;
 use crate::body::id::{self, BodyId};
@@ -13,18 +13,22 @@ use crate::vec2::Vec2;
 /// Pushes one body with the same force in every step. Does nothing once the body is gone.
 ///
 /// ```
-/// use fixstep::{vec2, Point, Push, Window, World};
+/// use fixstep::{Window, prelude::*};
 /// let mut world = World::<Point<f32>, 1>::new();
-/// let rocket = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 20)?).unwrap();
+/// let rocket = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 20)?)?;
 /// // Burns in the steps 0 to 119: two seconds at 60 Hz.
-/// let burn = Window::new(0..120, Push::<f32>::new(rocket, vec2(0, 300)?));
+/// let mut burn = Window::new(0..120, Push::new(rocket, vec2(0, 300)?));
+/// for _ in 0..200 {
+///     world.step(&mut SemiImplicitEuler, &mut burn, &Step::hz(60)?);
+/// }
+/// assert!((world.get(rocket)?.velocity().y - 30.0).abs() < 1e-3); // F t / m
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Push<S> {
-    /// Who is pushed.
+    /// The body that is pushed.
     pub body: BodyId,
-    /// With what force, N.
+    /// The force, N.
     pub force: Vec2<S>,
 }
 

@@ -1,8 +1,8 @@
 //! Quadratic drag as a force, `F = -c |v| v`: air at the speed of a ball.
 //!
 //! Explicit, so it overshoots: monotone for `c |v| h / m < 1`, unstable from 2, where each step makes
-//! the body faster than it was. Of a fall under g the terminal speed is `sqrt(m g / c)`; it attracts while
-//! `c |v| h / m < 1` there, and just beyond the speed swings about it.
+//! the body faster than it was. A body that falls with gravity g has the terminal speed `sqrt(m g / c)`. The speed
+//! converges to it while `c |v| h / m < 1` there, and oscillates about it just beyond.
 
 use crate::body::Body;
 use crate::error::Error;
@@ -14,9 +14,14 @@ use crate::time::{Now, TimeStep};
 /// A force against the velocity and in proportion to its square, on every body.
 ///
 /// ```
-/// use fixstep::{dec, QuadraticDrag};
+/// use fixstep::{QuadraticDrag, prelude::*};
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(30, 0)?, dec!(0.4))?)?;
 /// // A football: half the density of air times cross-section times drag coefficient.
-/// let drag = QuadraticDrag::<f32>::new(dec!(0.0058))?;
+/// let mut drag = QuadraticDrag::new(dec!(0.0058))?;
+/// world.step(&mut SemiImplicitEuler, &mut drag, &Step::hz(60)?);
+/// let exact = 30.0 - 0.0058 * 30.0 * 30.0 / 0.4 / 60.0; // v - c |v| v h / m
+/// assert!((world.get(ball)?.velocity().x - exact).abs() < 1e-12);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -34,8 +34,7 @@ use crate::scalar::Scalar;
     note = "a function may: `PositionOnly(PerBody(f))` promises that it does not"
 )]
 pub trait Reversible<B: Body>: Force<B> {
-    /// The name of a force in it that reads velocities in step `tick`, as a spring does whose damping
-    /// is not zero.
+    /// The name of a force in it that reads velocities in step `tick`. A spring with damping is one.
     #[must_use]
     fn damper(&self, tick: u64) -> Option<&'static str> {
         let _ = tick;
@@ -43,7 +42,7 @@ pub trait Reversible<B: Body>: Force<B> {
     }
 }
 
-/// What [`Reversible`] is for a force, for one between two bodies.
+/// The same as [`Reversible`], for a force between two bodies.
 ///
 /// ```
 /// use fixstep::{ReversiblePair, prelude::*};
@@ -56,7 +55,7 @@ pub trait Reversible<B: Body>: Force<B> {
 /// ```
 #[diagnostic::on_unimplemented(message = "the steps of `{Self}` between bodies cannot be undone")]
 pub trait ReversiblePair<B: Body>: PairForce<B> {
-    /// Its name, if it reads velocities in step `tick`.
+    /// The name of the force, if it reads velocities in step `tick`.
     #[must_use]
     fn damper(&self, tick: u64) -> Option<&'static str> {
         let _ = tick;
@@ -64,16 +63,23 @@ pub trait ReversiblePair<B: Body>: PairForce<B> {
     }
 }
 
-/// Your promise that the function in a [`PerBody`] or [`AllBodies`] reads no velocity and no spin, and gives the
-/// same for the same time and positions whenever it is asked.
+/// Your promise that the function in a [`PerBody`] or [`AllBodies`] reads no velocity and no spin. For the same
+/// time and positions it must always return the same force.
 ///
 /// ```
-/// use fixstep::{Body, PerBody, Point, PositionOnly, Time, Vec2, RangeChecked, fixed::types::I16F16};
-/// // A tide that turns every 600 ticks.
-/// let tide = PositionOnly(PerBody(|time: Time, _: &RangeChecked<Point<I16F16>>| {
+/// use fixstep::{PositionOnly, RangeChecked, Time, fixed::types::I16F16, prelude::*};
+/// // A tide that changes its direction every 600 ticks.
+/// let mut tide = PositionOnly(PerBody(|time: Time, _: &RangeChecked<Point<I16F16>>| {
 ///     let ebb = time.half_ticks() / 1200 % 2 == 0;
 ///     Vec2::new(if ebb { I16F16::ONE } else { -I16F16::ONE }, I16F16::ZERO)
 /// }));
+/// let mut world = World::<_, 1>::new();
+/// world.add(RangeChecked::new(Point::new(vec2(0, 0)?, vec2(1, 0)?, 1)?))?;
+/// let (before, step) = (world.state_hash(), Step::hz(60)?);
+/// world.step(&mut Verlet, &mut tide, &step);
+/// world.step_back(&mut Verlet, &mut tide, &step).unwrap();
+/// assert_eq!(world.state_hash(), before);
+/// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PositionOnly<F>(

@@ -25,11 +25,14 @@ use crate::vec2::Vec2;
 /// [`Pairs`](crate::Pairs) chooses the two bodies.
 ///
 /// ```
-/// use fixstep::{dec, vec2, Pairs, Point, Spring, World};
+/// use fixstep::prelude::*;
 /// let mut world = World::<Point<f32>, 2>::new();
-/// let a = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?).unwrap();
-/// let b = world.add(Point::new(vec2(3, 0)?, vec2(0, 0)?, 2)?).unwrap();
-/// let spring = Pairs::new(Spring::<f32>::new(2, 40, dec!(0.5))?, [[a, b]]);
+/// let a = world.add(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?)?;
+/// let b = world.add(Point::new(vec2(3, 0)?, vec2(0, 0)?, 2)?)?;
+/// let mut spring = Pairs::new(Spring::new(2, 40, dec!(0.5))?, [[a, b]]);
+/// world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(8)?);
+/// assert_eq!(world.get(a)?.velocity(), vec2(5, 0)?); // 40 N/m at 1 m, for 1/8 s
+/// assert_eq!(world.get(b)?.velocity(), vec2(dec!(-2.5), 0)?); // twice the mass
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +86,7 @@ impl<S: Scalar> Spring<S> {
         along.with_length(pull.plus(damping.scale(closing)), length)
     }
 
-    /// Its name, if it damps.
+    /// The name of the force, if it damps.
     pub(crate) fn damper_name(&self) -> Option<&'static str> {
         (!is_none::<S>(self.damping)).then_some("Spring")
     }

@@ -7,6 +7,7 @@
 //!
 //! Exact for constant force, else order 1 in v · one force call · a copy of the bodies where
 //! forces couple them · a spring gains about `(h ω)²/4` in amplitude each step, at every h
+//!
 //! Differs from [`Verlet`](super::Verlet) in one thing: forces are taken at the start of the step.
 //! Source: Hecker, "Physics, The Next Frontier" (1996), Eq. 3, 4 and 5.
 

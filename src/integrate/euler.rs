@@ -7,6 +7,7 @@
 //!
 //! Order 1 · one force call · a copy of the bodies where forces couple them · a spring gains
 //! `sqrt(1 + (h ω)²)` in amplitude each step, at every h · drag is monotone for `k h / m < 1`
+//!
 //! Free fall comes out `g T h / 2` short along g. For teaching, and as the worst line of a chart.
 //! Source: Hecker, "Physics, The Next Frontier" (1996).
 

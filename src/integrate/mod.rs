@@ -11,9 +11,9 @@
 //!
 //! Bytes are those of a [`Point`](crate::Point) of 32 bits, held by the method. The limit for a spring is
 //! that of an undamped one, the limit for drag that of [`LinearDrag`](crate::LinearDrag); the exact ones
-//! have none. Contacts: see [`ContactGap`]. Reversible: in fixed point, under forces of position,
-//! [`World::step_back`](crate::World::step_back) leads back to the bit. M0+ and M4F: instructions per body and
-//! step of 32 points in `I16F16` under gravity at 1/60 s. [`guide`](crate::guide) says which to take.
+//! have none. Contacts: see [`ContactGap`]. Reversible: in fixed point, with forces of position,
+//! [`World::step_back`](crate::World::step_back) restores every bit. M0+ and M4F: instructions per body and
+//! step of 32 points in `I16F16` with gravity at 1/60 s. [`guide`](crate::guide) says which to take.
 //!
 //! [`kick`], [`damp`], [`drift`] and [`drift_half`] are free functions over slices: a scene that wants
 //! another order calls them itself, with one [`Now`] for all stages of a step. A method that fuses
@@ -57,7 +57,7 @@ pub use verlet::Verlet;
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 pub trait Method<B: Body, const N: usize> {
-    /// Moves `bodies`, whose names are `ids`, from tick `tick` to the next.
+    /// Moves `bodies`, whose ids are `ids`, from tick `tick` to the next.
     fn step<F: Force<B>, H: TimeStep<B::S>>(
         &mut self,
         ids: &[BodyId],
@@ -76,8 +76,8 @@ pub trait Method<B: Body, const N: usize> {
     }
 }
 
-/// A method after whose kicks contacts may still change velocities: no body moves by a velocity that
-/// they have not seen.
+/// A method that allows contacts to change velocities after its kicks. No body moves by a velocity that contacts
+/// have not seen.
 ///
 /// [`SemiImplicitEuler`] has that gap between its kick and its drift, [`Euler`] at the end of its step:
 /// its next drift takes the velocity as it then is. The others move bodies on both sides of a kick,
@@ -220,7 +220,7 @@ fn copy<B: Body, const N: usize>(bodies: &[B], seen: &mut heapless::Vec<B, N>) {
 }
 
 /// `f` on every body. Counts bodies, not addresses: from a loop over addresses the compiler
-/// divides by the size of a body before it unrolls, dear on a core that cannot divide.
+/// divides by the size of a body before it unrolls. That is slow on a core that cannot divide.
 #[inline(always)]
 fn each<B>(bodies: &mut [B], mut f: impl FnMut(&mut B)) {
     let mut tail = bodies;

@@ -18,7 +18,8 @@
 //! step. Order 1 if they depend on velocity, as explicit drag does; exact drag makes it 2 ·
 //! four force calls · no bodies copied · stable for `h ω < 2.989`, explicit drag for `k h / m < 2.341` ·
 //! not with contacts · reversible
-//! Its price is five roundings of x: a steady cruise drifts up to five times as far as under
+//!
+//! It rounds x five times a step: a body at constant velocity drifts up to five times as far as with
 //! semi-implicit Euler.
 //! Source: Omelyan, Mryglod, Folk, "Optimized Forest-Ruth- and Suzuki-like algorithms for integration
 //! of motion in many-body systems", Comput. Phys. Commun. 146 (2002), arXiv:cond-mat/0110585.
@@ -192,7 +193,7 @@ impl<B: Body, const N: usize> Method<B, N> for Pefrl<B::S> {
 // The stages are the same from both ends, and its forces act at one instant.
 impl<B: Reverse, const N: usize> Rewinds<B, N> for Pefrl<B::S> {}
 
-/// `x += share v` for every body, which turns as much.
+/// `x += share v` for every body; its angle moves by the same share.
 #[inline]
 fn drift_by<B: Body>(bodies: &mut [B], share: <B::S as Scalar>::Coef) {
     each(bodies, |body| {

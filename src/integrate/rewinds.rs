@@ -4,10 +4,11 @@
 //! v := -v,   the stages of the step in the opposite order,   v := -v
 //! ```
 //!
-//! Why that leads back: drift and product are odd, so `x + d(v) + d(-v) = x` whatever was rounded;
-//! kicks depend on positions and time alone, so `-(v + a) + a = -v`; and the sums lose nothing.
-//! The stages work with the number of the tick that is undone, since spans and the fractions of gravity
-//! depend on it.
+//! Why this restores every bit: drift and product are odd, so `x + d(v) + d(-v) = x` whatever was rounded.
+//! Kicks depend on positions and time alone, so `-(v + a) + a = -v`. The sums lose nothing.
+//!
+//! The stages use the number of the tick that is undone. The fractions of gravity depend on it, and so do *spans*:
+//! two roundings of `h`, one just below and one just above, used alternately.
 //!
 //! Source: Rein, Tamayo, "JANUS: a bit-wise reversible integrator for N-body dynamics", MNRAS 473
 //! (2018), arXiv:1704.07715: state on a grid of integers, any rounding of the kicks. The same for the
@@ -39,7 +40,7 @@ use crate::time::TimeStep;
     note = "`Verlet`, `Pefrl` and `SemiImplicitEuler` can"
 )]
 pub trait Rewinds<B: Reverse, const N: usize>: Method<B, N> {
-    /// The stages of a step in the opposite order, on bodies that were turned round. That is the step
+    /// The stages of a step in the opposite order, on bodies whose velocities were reversed. That is the step
     /// itself for a method that is the same from both ends, and whose forces all act at one instant.
     #[inline]
     fn retrace<F: Reversible<B>, H: TimeStep<B::S>>(
@@ -53,8 +54,8 @@ pub trait Rewinds<B: Reverse, const N: usize>: Method<B, N> {
         self.step(ids, bodies, forces, step, tick);
     }
 
-    /// Moves `bodies` from the end of step `tick` to its start. Knows nothing of saturation:
-    /// [`World::step_back`](crate::World::step_back) looks for it.
+    /// Moves `bodies` from the end of step `tick` to its start. Does not test for saturation:
+    /// [`World::step_back`](crate::World::step_back) does.
     #[inline]
     fn step_back<F: Reversible<B>, H: TimeStep<B::S>>(
         &mut self,

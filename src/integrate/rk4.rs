@@ -1,6 +1,6 @@
 //! The classical Runge-Kutta method of order 4, for forces of any kind.
 //!
-//! With `k = h a(x, v, t)`, taken from four states in turn:
+//! With `k = h a(x, v, t)`, taken from four states one after another:
 //!
 //! ```text
 //! 1   x               v              t           k1

@@ -6,6 +6,7 @@
 //! ```
 //!
 //! Order 1 · one force call · no extra state · stable for `h ω < 2` · may be used with contacts
+//!
 //! Keeps `v² + ω² x² - h ω² x v` of an undamped spring, so its energy stays bounded.
 //! Free fall comes out `g T h / 2` too far along g.
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet

@@ -7,11 +7,14 @@
 //! ```
 //!
 //! Order 2, exact for constant force · one force call · no extra state · stable for `h ω < 2`
+//!
 //! A force that depends on v makes it order 1: the kick sees the old velocity.
-//! Why this order of the three: kick-drift-kick needs two force calls, or keeps accelerations that
-//! go stale when a body is teleported or added; half-step velocities are not the velocities a scene
-//! reads. Drift-kick-drift has neither fault. Its price is a second product per axis, and a second
-//! rounding of x: a steady cruise drifts up to twice as far as under semi-implicit Euler.
+//!
+//! Why this order of the three: kick-drift-kick needs two force calls, or keeps accelerations that go stale when a body is
+//! teleported or added. Half-step velocities are not the velocities that a scene reads. Drift-kick-drift has neither
+//! fault. It costs a second product per axis, and a second rounding of x. So a body at constant velocity drifts up to
+//! twice as far as with semi-implicit Euler.
+//!
 //! Source: Hairer, Lubich, Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet
 //! method", Acta Numerica 12 (2003), section 1.
 

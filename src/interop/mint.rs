@@ -1,4 +1,4 @@
-//! Vectors to and from mint, the common tongue of Rust's maths crates.
+//! Vectors to and from mint, the common vector types of Rust's maths crates.
 
 use mint::{IntoMint, Point2, Vector2};
 

@@ -1,4 +1,4 @@
-//! Angles, and what turns a vector by one.
+//! Angles, and the rotation of vectors by them.
 
 use crate::ratio::Ratio;
 use crate::scalar::{Angular, Turns};
@@ -6,9 +6,9 @@ use crate::time::Between;
 use crate::vec2::Vec2;
 
 /// An angle: a fraction of a turn that uses all bits of an integer, `2^-32` turns beside a 32-bit scalar.
-/// It wraps where a turn does, exactly, and is as fine after any number of turns.
+/// It wraps exactly at a whole turn, and keeps its resolution after any number of turns.
 ///
-/// Positive angles lead from x to y: with x to the right and y up, against the clock.
+/// Positive angles rotate from x to y: counter-clockwise with x to the right and y up.
 ///
 /// ```
 /// use fixstep::{dec, vec2, Angle, fixed::types::I16F16};
@@ -25,7 +25,7 @@ impl<S: Angular> Angle<S> {
     /// No angle.
     pub const ZERO: Angle<S> = Angle(S::Turns::ZERO);
 
-    /// The angle nearest to `turns`; whole turns fall away.
+    /// The angle nearest to `turns`, without whole turns.
     #[inline(always)]
     #[must_use]
     pub fn turns(turns: impl Into<Ratio>) -> Angle<S> {
@@ -60,15 +60,15 @@ impl<S: Angular> Angle<S> {
         self.0.to_f64()
     }
 
-    /// Where to draw between this angle and the one a step later: by the shorter way, so that it holds for
-    /// bodies that turn less than half a turn a step.
+    /// The angle to draw between this one and the one a step later. It takes the shorter way, so it is right for
+    /// bodies that rotate less than half a turn a step.
     #[inline]
     #[must_use]
     pub fn between(self, after: Angle<S>, part: &Between<S>) -> Angle<S> {
         self + Angle(S::part_of((after - self).0, part.part()))
     }
 
-    /// Its cosine and sine, made once for all vectors that turn by it.
+    /// Its cosine and sine, computed once for all vectors to rotate by it.
     #[inline]
     #[must_use]
     pub fn rotation(self) -> Rotation<S> {
@@ -103,9 +103,9 @@ impl<S: Angular> core::ops::Sub for Angle<S> {
     }
 }
 
-/// The cosine and the sine of an angle: turns vectors. Each is off by at most a unit of
-/// `2^-30` in 32-bit fixed point, by 33 of them, half a unit of its own near 1, in `f32`. Lengths change by as little, and
-/// for ever: no rotation is made from another.
+/// The cosine and the sine of an angle, to rotate vectors. In 32-bit fixed point each is off by at most a unit of
+/// `2^-30`. In `f32` it is 33 of these units, half a unit of `f32` near 1. Lengths change by as little, and this error
+/// never grows: no rotation is made from another.
 ///
 /// ```
 /// use fixstep::{fixed::types::I16F16, prelude::*};
@@ -118,7 +118,7 @@ impl<S: Angular> core::ops::Sub for Angle<S> {
 pub struct Rotation<S: Angular>([S::Unit; 2]);
 
 impl<S: Angular> Rotation<S> {
-    /// `v` turned: from the axes of a body to those of the world. Each part is rounded once.
+    /// `v` rotated: from the axes of a body to those of the world. Each part is rounded once.
     #[inline]
     #[must_use]
     pub fn rotate(self, v: Vec2<S>) -> Vec2<S> {
@@ -126,7 +126,7 @@ impl<S: Angular> Rotation<S> {
         Vec2 { x, y }
     }
 
-    /// `v` turned back: from the axes of the world to those of a body.
+    /// `v` rotated back: from the axes of the world to those of a body.
     #[inline]
     #[must_use]
     pub fn rotate_back(self, v: Vec2<S>) -> Vec2<S> {

@@ -5,9 +5,9 @@ use super::rotor::{Rotor, is_inverse};
 use crate::scalar::CarryAngular;
 use crate::time::Revolve;
 
-/// The rotor that keeps what its roundings leave over: an angle of twice the bits, and a remainder of the
-/// spin. By a method that drifts whole or half steps turns at a
-/// dyadic rate are exact for ever, at any other to the last digit of `h`.
+/// A *carried* rotor keeps what rounding loses: an angle of twice the bits, and a remainder of the spin. With a method
+/// that drifts by whole or half steps, rotation at a dyadic rate stays exact for ever. At any other rate it is exact to
+/// the last digit of `h`.
 ///
 /// ```
 /// use fixstep::{DyadicStep, fixed::types::I16F16, prelude::*};

@@ -15,7 +15,7 @@ use crate::vec2::Vec2;
 /// assert_eq!(size_of::<Rigid<Carried<I16F16>>>(), 56);
 /// ```
 pub trait Centre: Body<S: Angular> + From<Point<<Self as Body>::S>> {
-    /// How its body turns.
+    /// How its body rotates.
     type Rotor: Rotor<Self::S>;
 
     /// One that no force moves. Refuses NaN and infinity.

@@ -1,13 +1,13 @@
-//! Rung two: bodies that turn.
+//! Rung two: bodies that rotate.
 //!
 //! ```text
 //! x' = x + h v      v' = v + J / m          J an impulse, r where it acts, from the centre of mass
 //! θ' = θ + h s      s' = s + r×J / (2π I)   s in turns/s; r×J = r.x J.y - r.y J.x
 //! ```
 //!
-//! A [`Rigid`] has a body of rung one as its centre of mass, and a [rotor]. It has all the verbs of its centre, so worlds,
-//! methods and forces of rung one move it as they move points. [`Rotating`] has what is about rotation, and
-//! [`torque`] the forces that turn a body.
+//! A [`Rigid`] has a body of rung one as its centre of mass, and a [rotor]. It implements [`Body`] as its centre does, so
+//! worlds, methods and forces of rung one move it as they move points. [`Rotating`] adds rotation, and [`torque`] has the
+//! forces that rotate a body.
 //!
 //! Source: Hecker, "Physics, Part 2: Angular Effects" (Game Developer, 1996).
 
@@ -113,7 +113,7 @@ impl<C: Centre> Rigid<C> {
         Rigid::new(centre.into(), properties.inertia())
     }
 
-    /// A body that forces move but nothing turns: its spin stays what it is given, none at first.
+    /// A body that forces move but no torque rotates: it keeps the spin it is given, zero at first.
     #[inline]
     #[must_use]
     pub fn locked(centre: C) -> Rigid<C> {
@@ -241,7 +241,7 @@ impl<S: CarryAngular> Rigid<Carried<S>> {
     }
 }
 
-/// A body that nothing turns: [`Rigid::locked`].
+/// A body whose spin no torque changes: [`Rigid::locked`].
 impl<S: Angular> From<Point<S>> for Rigid<Point<S>> {
     #[inline]
     fn from(point: Point<S>) -> Self {

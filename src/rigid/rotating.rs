@@ -1,4 +1,4 @@
-//! What a force that turns bodies asks of them.
+//! What a force that rotates bodies needs from them.
 
 use super::angle::{Angle, Rotation};
 use super::rotor::Rotor;
@@ -9,9 +9,9 @@ use crate::vec2::Vec2;
 
 type Coef<B> = <<B as Body>::S as Scalar>::Coef;
 
-/// A body that turns.
+/// A body that rotates.
 ///
-/// An *arm* leads from the centre of mass to a point of the body, in the axes of the world.
+/// An *arm* is the vector from the centre of mass to a point of the body, in the axes of the world.
 ///
 /// ```
 /// use fixstep::prelude::*;
@@ -30,7 +30,7 @@ pub trait Rotating: Body<S: Angular> {
     #[must_use]
     fn turns_per_second(&self) -> Self::S;
 
-    /// `1 / 2πI`: the spin that one unit of angular momentum is; zero if it cannot turn.
+    /// `1 / 2πI`: the spin that one unit of angular momentum gives. It is zero if no torque can change the spin.
     #[must_use]
     fn inv_inertia(&self) -> Coef<Self>;
 
@@ -83,7 +83,7 @@ pub trait Rotating: Body<S: Angular> {
         self.rotation().rotate_back(world - self.position())
     }
 
-    /// What turns the axes of the body to those of the world.
+    /// The rotation from the axes of the body to those of the world.
     #[inline]
     #[must_use]
     fn rotation(&self) -> Rotation<Self::S> {
@@ -98,7 +98,7 @@ pub trait Rotating: Body<S: Angular> {
         self.velocity() + arm.perp().scaled(omega)
     }
 
-    /// Velocity of the point of the body that is at that place of the world, m/s.
+    /// Velocity of the body at a point of the world, m/s.
     #[inline]
     #[must_use]
     fn velocity_at(&self, point: Vec2<Self::S>) -> Vec2<Self::S> {
@@ -107,7 +107,7 @@ pub trait Rotating: Body<S: Angular> {
 }
 
 impl<C: Centre> Rigid<C> {
-    /// Whether a torque turns it. Infinity times an inverse inertia of zero would be NaN.
+    /// Whether a torque changes its spin. Infinity times an inverse inertia of zero would be NaN.
     #[inline]
     fn can_turn(&self) -> bool {
         self.rotor.inv_inertia() != C::S::ZERO.coef()

@@ -1,4 +1,4 @@
-//! How a body turns: its angle, its spin and what stands against a torque.
+//! How a body rotates: its angle, its spin and its resistance to a torque.
 //!
 //! ```text
 //! θ' = θ + h s            s in turns/s; ω = 2π s
@@ -15,7 +15,7 @@ use crate::ratio::Ratio;
 use crate::scalar::{Angular, Factor, Scalar};
 use crate::time::Revolve;
 
-/// The half of a rigid body that turns.
+/// The part of a rigid body that rotates: angle, spin and inverse inertia.
 ///
 /// ```
 /// use fixstep::{rigid::{PlainRotor, Rotor}, scalar::Scalar};
@@ -37,14 +37,14 @@ pub trait Rotor<S: Angular>: Revolve<S> + Copy + Debug + PartialEq + 'static {
     #[must_use]
     fn spin(&self) -> S;
 
-    /// `1 / 2πI`: the spin that one unit of angular momentum is; zero if it cannot turn.
+    /// `1 / 2πI`: the spin that one unit of angular momentum gives. It is zero if no torque can change the spin.
     #[must_use]
     fn inv_inertia(&self) -> S::Coef;
 
-    /// It stands at `angle`, with nothing left over.
+    /// Sets the angle, without a remainder.
     fn set_angle(&mut self, angle: Angle<S>);
 
-    /// It turns with `spin`, with nothing left over.
+    /// Sets the spin, without a remainder.
     fn set_spin(&mut self, spin: S);
 
     /// `θ += factor * spin`, of a spin that is not its own.

@@ -81,13 +81,13 @@ impl<S: CarryAngular<Coef: Stored> + Stored> SavedRotor for CarriedRotor<S> {
     }
 }
 
-/// The inverse mass that a driven centre has while it is written: that of 1 kg.
+/// The inverse mass that the centre of a kinematic or static body has while it is written: that of 1 kg.
 fn lent<S: Angular>() -> S::InvMass {
     S::InvMass::new(Ratio::from(1)).unwrap_or(S::INFINITE_MASS)
 }
 
 impl<C: Centre> Rigid<C> {
-    /// Whether it is driven, its centre with a mass that can be written, and its rotor.
+    /// Whether it is kinematic or static, its centre with a mass that can be written, and its rotor.
     pub(crate) fn parts(&self) -> (bool, C, &C::Rotor) {
         let (driven, centre) = match self.has_infinite_mass() {
             true => (true, self.centre.with_inv_mass(lent::<C::S>())),
@@ -96,7 +96,7 @@ impl<C: Centre> Rigid<C> {
         (driven, centre, &self.rotor)
     }
 
-    /// From parts that were one body before; `None` where a driven one has a mass or an inertia.
+    /// From the parts of one body. `None` where a kinematic or static body has a mass or an inertia.
     pub(crate) fn from_parts(driven: bool, centre: C, rotor: C::Rotor) -> Option<Self> {
         if !driven {
             return Some(Rigid { centre, rotor });

@@ -1,4 +1,4 @@
-//! The verbs of a rigid body: those of its centre, and as much for its rotor.
+//! `Body` for a rigid body: the functions of its centre, and the same for its rotor.
 //!
 //! A kinematic or static body has an inverse mass and an inverse inertia of zero. Kicks are the same for every mass, so they
 //! test for it. Pushes and torques test too, since infinity times zero is NaN.

@@ -21,9 +21,9 @@ use crate::vec2::Vec2;
 /// The same acceleration for every body, against linear drag; exact in position and velocity at any
 /// step. Instead of [`Gravity`](crate::Gravity) and [`ExactDrag`](crate::ExactDrag), not beside them.
 ///
-/// Name it behind exact springs: it takes every body that no flow before it has. A spring beside it is not
-/// [told](crate::ExactSpring::with_gravity) of gravity, since no `Gravity` kicks its body. As with `ExactDrag`,
-/// equal masses should stand side by side.
+/// Put it after exact springs in the tuple: it moves every body that no flow before it has moved. Do not use
+/// [`with_gravity`](crate::ExactSpring::with_gravity) for a spring beside it, since no `Gravity` kicks its body.
+/// As with `ExactDrag`, add bodies of equal mass one after another.
 ///
 /// ```
 /// use fixstep::{dec, vec2, Ballistic, Point, SemiImplicitEuler, Step, World};
@@ -105,7 +105,7 @@ impl<B: Body<S: Decay>> Force<B> for Ballistic<B::S> {
             self.flight.forget();
         }
         let whole = part == Part::Whole;
-        // Halves are counted on their own, so that shares of both come out in turn.
+        // Halves have a count of their own, so that the shares of both alternate.
         let tick = match part {
             Part::Whole => now.tick(),
             Part::FirstHalf => now.tick().wrapping_mul(2),

@@ -17,11 +17,11 @@ use crate::time::{Now, TimeStep};
 
 /// Drag in proportion to the velocity, on every body, exact at any step.
 ///
-/// In fixed point a [`Point`](crate::Point) loses a unit of speed or more in each part of a step, so that
-/// it comes to rest; it is not started by less than that. A [`Carried`](crate::Carried) has no such edge.
+/// In fixed point a [`Point`](crate::Point) loses a unit of speed or more in each part of a step, so it comes to
+/// rest. A smaller change of speed does not start it again. A [`Carried`](crate::Carried) has no such limit.
 ///
-/// The factor depends on the mass: it is made anew where a body has another mass than the one before
-/// it. A world in which equal masses stand side by side pays for it once.
+/// The factor depends on the mass. It is computed again where a body has another mass than the one before it.
+/// If bodies of equal mass are added one after another, it is computed once.
 ///
 /// ```
 /// use fixstep::{dec, vec2, ExactDrag, Point, SemiImplicitEuler, Step, World};

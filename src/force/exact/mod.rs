@@ -1,6 +1,6 @@
 //! Drags and springs that are solved exactly, at any step.
 //!
-//! The others of this folder stand on `oscillation`, the exact step of a spring in integers, and on `propagator`,
+//! The springs use two private modules. `oscillation` is the exact step of a spring in integers. `propagator` is
 //! the same step in coefficients of a scalar.
 
 mod ballistic;

@@ -7,10 +7,10 @@
 //! P² = (C² - S² + ζ² S²) + 2 C S N
 //! ```
 //!
-//! q is halved until series of a few terms are exact, and the result squared as often: one formula
-//! below, at and above critical damping. No root, no trigonometry, no float. Numbers have 60
-//! fractional bits; each squaring costs one, so a spring of one turn a step keeps 54; one of 10^9 turns a step
-//! keeps none of its phase.
+//! q is halved until series of a few terms are exact, and the result is squared as often. One formula
+//! holds below, at and above critical damping. It needs no root, no trigonometry and no float. Numbers have 60
+//! fractional bits, and each squaring costs one. A spring of one period a step keeps 54.
+//! A spring of 10^9 periods a step keeps none of its phase.
 //! Source: the solution of `x'' = -ω² x - 2 ζ ω x'`; scaling and squaring as Higham, "Functions of
 //! Matrices" (2008), 10.3, has it.
 
@@ -127,8 +127,8 @@ impl Oscillation {
         Some([forth, scaled(-times(self.s, TURN), num, den)?])
     }
 
-    /// Undamped, the step is a turn by θ: `x += α v; v += β x; x += α v` with `α = tan(θ/2) / ω`
-    /// and `β = -ω sin θ`, after a turn by half a circle where cos θ is negative.
+    /// Without damping the step is a rotation by θ: `x += α v; v += β x; x += α v` with `α = tan(θ/2) / ω`
+    /// and `β = -ω sin θ`, after a rotation by half a turn where cos θ is negative.
     pub(crate) fn shears(self) -> Option<(bool, [Ratio; 2])> {
         let over = self.c < 0;
         let turned = match over {
@@ -147,7 +147,7 @@ impl Oscillation {
     }
 }
 
-/// `1 / ω²`, s²: how far a spring sags under an acceleration of 1 m/s².
+/// `1 / ω²`, s²: how far a spring sags by an acceleration of 1 m/s².
 pub(crate) fn sag(hertz: Ratio) -> Option<Ratio> {
     let (num, den) = (hertz.num() as u64, hertz.den());
     let once = scaled(times(INVERSE_TURN, INVERSE_TURN), den, num)?;

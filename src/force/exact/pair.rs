@@ -35,7 +35,7 @@ use crate::vec2::Vec2;
 /// for _ in 0..60 {
 ///     world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(60)?);
 /// }
-/// // Half a turn later it is 1 m too short: the light end has moved by 3/4 of 2 m.
+/// // Half a period later it is 1 m too short: the light end has moved by 3/4 of 2 m.
 /// assert!((world.get(a)?.position().x - 1.5).abs() < 1e-12);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
@@ -48,8 +48,8 @@ pub struct ExactPair<S: Scalar> {
 }
 
 impl<S: Decay> ExactPair<S> {
-    /// Ties `bodies` with a frequency of `hertz`, undamped, and a `damping_ratio` of which 1 is critical;
-    /// `rest` (m) is where the second rests as seen from the first. Refuses a frequency that is not
+    /// Ties `bodies` with a frequency of `hertz`, undamped, and a `damping_ratio` of which 1 is critical.
+    /// `rest` (m) is the rest position of the second body relative to the first. Refuses a frequency that is not
     /// positive, below `2^-20` or from `2^20` on, and a damping ratio that is negative or from `2^10` on.
     pub fn new(
         bodies: [BodyId; 2],

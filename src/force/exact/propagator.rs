@@ -2,13 +2,13 @@
 //!
 //! ```text
 //! damped      x' = x + (p11 - 1) z + p12 v      v' = v + p21 z + (p22 - 1) v
-//! undamped    x½ = x + α v,  v' = v + β z½,  x' = x½ + α v'     after half a turn where cos is negative
+//! undamped    x½ = x + α v,  v' = v + β z½,  x' = x½ + α v'     after a rotation by half a turn where cos is negative
 //! ```
 //!
-//! z is the displacement from where the spring rests. Undamped the step is a turn, and three shears make
-//! it at the price of three products: whatever their roundings, area is kept to the bit, so an
-//! undamped spring neither gains nor loses over any number of steps. The four entries of a matrix,
-//! rounded, have a determinant that is off by a unit of their last place in every step.
+//! z is the displacement from the rest position. Without damping the step is a rotation of (z, v). Three shears make this
+//! rotation with three products. Whatever their roundings, area is kept to the bit. So an undamped spring neither
+//! gains nor loses over any number of steps. The four rounded entries of a matrix have a determinant that is off by a
+//! unit of their last digit in every step.
 //! Source of the shears: Paeth, "A fast algorithm for general raster rotation", Graphics Interface
 //! 1986.
 
@@ -24,7 +24,7 @@ use crate::vec2::Vec2;
 pub(crate) enum Propagator<S: Scalar> {
     /// `[p11 - 1, p12, p21, p22 - 1]`.
     Damped([S::Coef; 4]),
-    /// Whether half a turn comes first, α and β.
+    /// Whether a rotation by half a turn comes first, α and β.
     Turn(bool, [S::Coef; 2]),
 }
 
@@ -78,7 +78,7 @@ pub(crate) fn length(seconds: Ratio, whole: bool) -> Ratio {
 }
 
 impl<S: Scalar> Propagator<S> {
-    /// A step of `seconds`. What no coefficient holds is left at rest.
+    /// A step of `seconds`. If a coefficient cannot hold an entry, the step moves nothing.
     pub(crate) fn new(swing: Swing, seconds: Ratio) -> Self {
         Self::of(swing, seconds).unwrap_or(Propagator::Turn(false, [S::ZERO.coef(); 2]))
     }

@@ -14,12 +14,19 @@ use crate::time::{Now, TimeStep};
 /// Drag in proportion to the square of the velocity, on every body, exact at any step.
 ///
 /// In exact arithmetic it never brings a body to rest. In fixed point a body that keeps no remainders
-/// loses a unit a step in the end, and rests.
+/// loses a unit a step in the end, and comes to rest.
 ///
 /// ```
-/// use fixstep::{dec, ExactQuadraticDrag};
+/// use fixstep::{ExactQuadraticDrag, prelude::*};
+/// let mut world = World::<Point<f64>, 1>::new();
+/// let ball = world.add(Point::new(vec2(0, 0)?, vec2(30, 0)?, dec!(0.4))?)?;
 /// // A football: half the density of air times cross-section times drag coefficient.
-/// let drag = ExactQuadraticDrag::<f32>::new(dec!(0.0058))?;
+/// let mut drag = ExactQuadraticDrag::new(dec!(0.0058))?;
+/// for _ in 0..60 {
+///     world.step(&mut Verlet, &mut drag, &Step::hz(60)?);
+/// }
+/// let exact = 30.0 / (1.0 + 0.0058 * 30.0 / 0.4); // after 1 s
+/// assert!((world.get(ball)?.velocity().x - exact).abs() < 1e-12);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -20,14 +20,14 @@ use crate::vec2::Vec2;
 /// Ties one body to a point by frequency and damping, exact for `h ω` of 0.1 or 6. Does nothing once
 /// the body is gone, or where another flow has it.
 ///
-/// What it needs for a step is made in the first one, and again when the length of the step changes: by
-/// some dozens of products of 128 bits, dear on a small core.
+/// Its coefficients are computed in the first step, and again when the length of the step changes. That takes
+/// some dozens of products of 128 bits, which is slow on a small core.
 ///
 /// ```
 /// use fixstep::{dec, vec2, ExactSpring, Point, SemiImplicitEuler, Step, World};
 /// let mut world = World::<_, 1>::new();
 /// let id = world.add(Point::<f64>::new(vec2(1, 0)?, vec2(0, 0)?, 1)?)?;
-/// // 25 turns and a quarter in each second of 60 steps: Euler's methods explode from 19.
+/// // 25.25 periods in each second of 60 steps: Euler's methods explode from 19.
 /// let mut spring = ExactSpring::new(id, vec2(0, 0)?, dec!(25.25), 0)?;
 /// for _ in 0..120 {
 ///     world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(60)?);
@@ -44,7 +44,7 @@ pub struct ExactSpring<S: Scalar> {
     motion: Memo<(S::Coef, bool), Motion<S>>,
 }
 
-/// A constant acceleration, and how far the spring sags under it.
+/// A constant acceleration, and how far the spring sags by it.
 #[derive(Clone, Copy, Debug)]
 struct Load<S> {
     acceleration: Vec2<S>,
@@ -77,14 +77,14 @@ impl<S: Scalar> ExactSpring<S> {
         })
     }
 
-    /// With its rest where the spring balances `acceleration`, m/s²: that of the scene's
-    /// [`Gravity`](crate::Gravity), which must act on the body too. Refuses a sag out of range.
+    /// Moves the rest position to where the spring balances `acceleration`, m/s². Use the acceleration of the
+    /// scene's [`Gravity`](crate::Gravity), which must act on the body too. Refuses a sag out of range.
     ///
-    /// A drag beside it takes its part of gravity's kick, which the spring takes back whole: under an
-    /// [`ExactDrag`](crate::ExactDrag) of `x = k h / m` the body hangs x of its sag higher, half of that by
-    /// [`Verlet`](crate::Verlet). Give the spring its damping instead. A [`Point`](crate::Point) comes
-    /// to rest within its dead zone of that place, a [`Carried`](crate::Carried) body within a
-    /// unit, in floats two.
+    /// A drag beside it takes a part of gravity's kick, but the spring takes back the whole kick. With an
+    /// [`ExactDrag`](crate::ExactDrag) of `x = k h / m` the body hangs x of its sag higher, with
+    /// [`Verlet`](crate::Verlet) half of that. Give the spring its damping instead. A [`Point`](crate::Point) comes
+    /// to rest within its dead zone of the rest position, a [`Carried`](crate::Carried) body within a unit, in
+    /// floats two.
     pub fn with_gravity(self, acceleration: Vec2<S>) -> Result<ExactSpring<S>, Error> {
         let (field, value) = ("hertz", self.swing.hertz);
         let error = Error::OutOfRange { field, value };
@@ -106,7 +106,7 @@ impl<S: Scalar> ExactSpring<S> {
         })
     }
 
-    /// Where it rests.
+    /// Its rest position, m.
     #[must_use]
     pub fn rest_position(&self) -> Vec2<S> {
         self.load.map_or(self.point, |load| self.point + load.sag)

@@ -1,11 +1,11 @@
-//! Serialising with serde: vectors, ids, points, bodies that carry or are watched, worlds; `rigid.rs` has
-//! angles and bodies that turn.
+//! Serialising with serde: vectors, ids, points, carried and range-checked bodies, worlds. `rigid.rs` has
+//! angles and rigid bodies.
 //!
-//! A world reads and writes as `{ tick, next, ids, bodies }`, a point as `{ position, velocity,
-//! inv_mass }` with the bits of its inverse mass, so that a round trip is exact wherever the format
-//! keeps numbers exactly. A body that carries is `{ fine, velocity, inv_mass, remainder }`, with the bits of a
-//! [snapshot](crate::world::snapshot) for its places and remainders. What is read is checked as a snapshot is, and a field that
-//! is missing or unknown is refused; the number type is that of the target and is not written.
+//! A world reads and writes as `{ tick, next, ids, bodies }`. A point is `{ position, velocity, inv_mass }` with the
+//! bits of its inverse mass. So a round trip is exact wherever the format keeps numbers exactly. A *carried* body, which
+//! keeps what rounding loses, is `{ fine, velocity, inv_mass, remainder }`. Its fine position and its remainder have the
+//! bits of a [snapshot](crate::world::snapshot). Input is checked as a snapshot is, and a missing or unknown field is
+//! refused. The number type is that of the target and is not written.
 
 mod rigid;
 
@@ -150,7 +150,7 @@ impl<'de, B: Body + Deserialize<'de>, const N: usize> Deserialize<'de> for World
         #[serde(rename = "World", bound = "B: Deserialize<'de>", deny_unknown_fields)]
         struct Fields<B, const N: usize> {
             tick: u64,
-            // Said in so many words: an option that is missing would be `None`, a world without ids.
+            // Explicit, since a missing option would be `None`: a world without ids.
             #[serde(deserialize_with = "Option::deserialize")]
             next: Option<BodyId>,
             ids: heapless::Vec<BodyId, N>,

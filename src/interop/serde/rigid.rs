@@ -1,12 +1,12 @@
-//! Serialising with serde: angles, bodies that turn.
+//! Serialising with serde: angles and rigid bodies.
 //!
 //! ```text
 //! { centre, driven, angle, spin, inv_inertia }           angle: its count
-//! { centre, driven, angle, spin, inv_inertia, remainder }     of one that carries; angle: two halves of its count
+//! { centre, driven, angle, spin, inv_inertia, remainder }     of a carried one; angle: two halves of its count
 //! ```
 //!
-//! The centre of a driven body is written with a mass of 1 kg, as in a snapshot; `inv_inertia` and `remainder`
-//! are the bits of one.
+//! `driven` is true for a kinematic or static body. Its centre is written with a mass of 1 kg, as in a snapshot.
+//! `inv_inertia` and `remainder` have the bits of a snapshot.
 
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::{Serialize, SerializeStruct, Serializer};

@@ -1,4 +1,4 @@
-//! Forces that turn bodies.
+//! Forces that rotate bodies.
 //!
 //! | force | acts on | cost |
 //! |---|---|---|
@@ -7,7 +7,7 @@
 //! | [`Attached`] | two bodies, at a point of each | a [`Spring`](crate::Spring), and for each body a sine, a cosine and ten products |
 //! | [`Wrench`] | what a function of [`PerBody`](crate::PerBody) may return | two products an axis |
 //!
-//! The forces of [`force`](crate::force) act on the centre of mass of a body that turns as they do on a point.
+//! The forces of [`force`](crate::force) act on the centre of mass of a rigid body as they do on a point.
 
 mod attached;
 mod motor;

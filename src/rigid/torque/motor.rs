@@ -1,7 +1,7 @@
 //! A constant torque on one body: a motor.
 //!
-//! In fixed point `M h / 2πI` seldom fits the type; as with gravity its fraction is spread over the ticks,
-//! so that the spin gained in n steps is `n h M / 2πI` rounded once.
+//! In fixed point `M h / 2πI` seldom fits the type. As with gravity its fraction is spread over the ticks.
+//! So the spin gained in n steps is `n h M / 2πI` rounded once.
 
 use crate::body::id::BodyId;
 use crate::force::{Force, Frame, Reversible};
@@ -9,20 +9,25 @@ use crate::rigid::Rotating;
 use crate::scalar::Scalar;
 use crate::time::{Now, TimeStep};
 
-/// Turns one body with the same torque in every step. Does nothing once the body is gone.
+/// Rotates one body with the same torque in every step. Does nothing once the body is gone.
 ///
 /// ```
-/// use fixstep::{dec, rigid::torque::Torque, vec2, Point, Rigid, World};
+/// use fixstep::{prelude::*, rigid::torque::Torque};
 /// let mut world = World::<_, 1>::new();
 /// let wheel = world.add(Rigid::new(Point::<f32>::new(vec2(0, 0)?, vec2(0, 0)?, 2)?, dec!(0.1))?)?;
-/// let motor = Torque { body: wheel, torque: 0.5_f32 };
+/// let mut motor = Torque { body: wheel, torque: 0.5 };
+/// for _ in 0..64 {
+///     world.step(&mut SemiImplicitEuler, &mut motor, &Step::hz(64)?);
+/// }
+/// let exact = 5.0 / core::f32::consts::TAU; // M t / I = 5 rad/s
+/// assert!((world.get(wheel)?.spin() - exact).abs() < 1e-4);
 /// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torque<S> {
-    /// Who is turned.
+    /// The body that is rotated.
     pub body: BodyId,
-    /// With what torque, N m.
+    /// The torque, N m.
     pub torque: S,
 }
 

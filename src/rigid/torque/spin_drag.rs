@@ -9,14 +9,14 @@ use crate::rigid::Rotating;
 use crate::scalar::{Angular, Decay, Scalar};
 use crate::time::{Now, TimeStep};
 
-/// A torque against the spin and in proportion to it, on every body that turns: a bearing, or air.
+/// A torque against the spin and in proportion to it, on every rigid body: a bearing, or air.
 ///
-/// As with [`ExactDrag`](crate::ExactDrag) the factor is made anew where a body has another inertia than the
-/// one before it, and in fixed point a spin loses a unit or more in each part of a step, so that it
-/// comes to rest; a body that carries has no such edge.
+/// As with [`ExactDrag`](crate::ExactDrag) the factor is computed again where a body has another inertia than the one
+/// before it. In fixed point a spin loses a unit or more in each part of a step, so it comes to rest. A *carried* body
+/// keeps what rounding loses and has no such limit.
 ///
-/// Beside a motor it is exact no more: a rotor then turns with `x / (exp(x) - 1)` of `M / c` by `SemiImplicitEuler` and
-/// `(x/2) / sinh(x/2)` of it by `Verlet`, with `x = c h / I`.
+/// Beside a motor it is no longer exact. With `x = c h / I` the final spin is `x / (exp(x) - 1)` of `M / c` with
+/// `SemiImplicitEuler`, and `(x/2) / sinh(x/2)` of it with `Verlet`.
 ///
 /// ```
 /// use fixstep::{dec, rigid::torque::SpinDrag, vec2, Point, Rigid, SemiImplicitEuler, Step, World};

@@ -5,15 +5,22 @@ use crate::rigid::Rotating;
 use crate::scalar::Scalar;
 use crate::vec2::Vec2;
 
-/// What a function for [`PerBody`](crate::PerBody) returns where it turns bodies.
+/// What a function for [`PerBody`](crate::PerBody) returns to move and rotate a body.
 ///
 /// ```
-/// use fixstep::{rigid::torque::Wrench, PerBody, Point, Rigid, Rotating, Time, Vec2};
+/// use fixstep::{Time, prelude::*, rigid::torque::Wrench};
 /// // A torsion spring that holds angle zero with 3 N m a turn.
-/// let spring = PerBody(|_: Time, body: &Rigid<Point<f32>>| Wrench {
+/// let mut spring = PerBody(|_: Time, body: &Rigid<Point<f32>>| Wrench {
 ///     force: Vec2::ZERO,
 ///     torque: -3.0 * body.angle().to_f64() as f32,
 /// });
+/// let door = Rigid::new(Point::new(vec2(0, 0)?, vec2(0, 0)?, 1)?, 1)?.with_angle(Angle::degrees(120));
+/// let mut world = World::<_, 1>::new();
+/// let id = world.add(door)?;
+/// world.step(&mut SemiImplicitEuler, &mut spring, &Step::hz(8)?);
+/// let exact = -0.125 / core::f32::consts::TAU; // -1 N m for 1/8 s, 1 kg m²
+/// assert!((world.get(id)?.spin() - exact).abs() < 1e-6);
+/// # Ok::<(), fixstep::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<S> {
