@@ -24,7 +24,7 @@ pub struct Options {
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
 
-    /// Draws the committed CSV files anew and makes no rows
+    /// Draws the committed CSV files anew, with the costs that the firmware has now, and makes no rows
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     pub draw: bool,
 

@@ -137,6 +137,7 @@ fn charts(options: &Options) -> Result<(), String> {
         let mut table = (chart.make)(chart.name, effort, &progress)?;
         if options.draw {
             table.rows = committed(&table)?;
+            price(&mut table)?;
         }
         match options.check {
             true => differences.extend(check(&table, options.effort())?),
@@ -169,6 +170,30 @@ fn charts(options: &Options) -> Result<(), String> {
 /// A bar that appears once something takes long.
 fn hidden() -> ProgressBar {
     ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::hidden())
+}
+
+/// Gives the rows of a table the costs that the firmware has now; their errors stay.
+fn price(table: &mut Table) -> Result<(), String> {
+    let costs = cost::Costs::load()?;
+    let column = |name| table.header.iter().position(|&header| header == name);
+    let (Some(m0), Some(m4f)) = (
+        column("m0_instructions_per_step"),
+        column("m4f_instructions_per_step"),
+    ) else {
+        return Ok(());
+    };
+    // A minute is priced by its fall, and has a column more before the body: that of the spring.
+    let (scene, body) = match table.name {
+        "minute" => ("projectile", 3),
+        name => (name.trim_start_matches("work-"), 2),
+    };
+    for row in &mut table.rows {
+        for (column, core) in [(m0, cost::Core::M0Plus), (m4f, cost::Core::M4F)] {
+            let cost = costs.get(core, scene, [&row[0], &row[1], &row[body]])?;
+            row[column] = format!("{cost:.1}");
+        }
+    }
+    Ok(())
 }
 
 /// The committed rows of a table.
