@@ -9,8 +9,6 @@
 
 #[path = "accumulator/long.rs"]
 mod long;
-#[path = "accumulator/refusals.rs"]
-mod refusals;
 use crate::support;
 
 use fixstep::{Accumulator, Due, Ratio, dec};

@@ -3,12 +3,10 @@
 mod support;
 
 mod accumulator;
-mod bad_input;
 mod between;
 mod bounds;
 mod capacity;
 mod carry;
-mod errors;
 mod exact_drag;
 mod exact_spring;
 mod examples;
@@ -29,6 +27,7 @@ mod order;
 mod oscillator;
 mod own_scalar;
 mod range;
+mod refusals;
 mod rewind;
 mod rotor;
 mod shape;

@@ -12,8 +12,6 @@ mod gears;
 mod outlines;
 #[path = "shape/polygons.rs"]
 mod polygons;
-#[path = "shape/refused.rs"]
-mod refused;
 use crate::support;
 
 use std::f64::consts::PI;

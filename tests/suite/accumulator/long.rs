@@ -77,3 +77,33 @@ fn more_steps_than_64_bits_hold_are_reported_as_the_most_they_hold() {
     assert_eq!(total(clock.advance(u64::MAX)), u128::from(u64::MAX));
     assert_eq!((clock.advance(1).steps, clock.fraction()), (4, Ratio::ZERO));
 }
+
+const LIMIT: u64 = 1 << 62;
+
+// The largest unit there is, through both paths: 2^64 - 1 is 4 steps of 2^62 less one count.
+#[test]
+fn the_last_that_is_accepted_still_counts() {
+    let mut clock = Accumulator::new(1, ratio(LIMIT as i64, 1), 9).unwrap();
+    let all_but_one = ratio(LIMIT as i64 - 1, LIMIT);
+    assert_eq!(clock.advance(LIMIT - 1).steps, 0);
+    assert_eq!(clock.fraction(), all_but_one);
+    assert_eq!((clock.advance(1).steps, clock.fraction()), (1, Ratio::ZERO));
+    assert_eq!(clock.advance(u64::MAX).steps, 3);
+    assert_eq!(clock.fraction(), all_but_one);
+    assert_eq!(clock.advance(u64::MAX).steps, 4);
+    assert_eq!(clock.fraction(), ratio(LIMIT as i64 - 2, LIMIT));
+}
+
+// A count is 2^62 / (2^32 - 1) steps, 2^30 and a quarter; 2^34 of them would pass 64 bits.
+#[test]
+fn the_shortest_step_that_is_accepted_still_counts() {
+    let mut clock = Accumulator::new(u32::MAX, ratio(1, LIMIT), 1).unwrap();
+    let mut exact = Exact::new(u32::MAX, ratio(1, LIMIT));
+    let mut due = 0;
+    for counts in [1, 3, u64::from(u32::MAX), 1 << 33, (1 << 33) - 1] {
+        exact.elapsed += u128::from(counts);
+        due += total(clock.advance(counts));
+        assert_eq!(due, exact.steps());
+        assert!(exact.has_fraction(clock.fraction()));
+    }
+}

@@ -1,25 +1,29 @@
 //! The table of bad inputs in the documentation of `error`: one test a row, and no row without one.
 //!
-//! A test hands back what it was refused with; the table must name that error.
+//! A row has the calls that are refused. Where an error has a field and a value, the case says which; the table must name the
+//! error. What is just accepted stands beside it.
 
-#[path = "bad_input/exact.rs"]
+#[path = "refusals/exact.rs"]
 mod exact;
-#[path = "bad_input/rewinds.rs"]
+#[path = "refusals/rewinds.rs"]
 mod rewinds;
-#[path = "bad_input/shapes.rs"]
+#[path = "refusals/shapes.rs"]
 mod shapes;
-#[path = "bad_input/snapshots.rs"]
+#[path = "refusals/snapshots.rs"]
 mod snapshots;
-#[path = "bad_input/turning.rs"]
+#[path = "refusals/text.rs"]
+mod text;
+#[path = "refusals/turning.rs"]
 mod turning;
 
 use std::fmt::Debug;
 
-use fixstep::fixed::types::{I8F24, I16F16};
+use fixstep::fixed::types::{I1F31, I8F24, I16F16};
 use fixstep::{
-    Accumulator, AllBodies, Anchor, Ballistic, Between, Body, BodyId, CentreOfMass, Error,
-    ExactDrag, ExactQuadraticDrag, GravityY, LinearDrag, Pairs, PerBody, Point, PointMass, Pull,
-    QuadraticDrag, Ratio, SemiImplicitEuler, Spring, Stale, Step, Time, Vec2, World, dec, vec2,
+    Accumulator, AllBodies, Anchor, Ballistic, Between, Body, BodyId, CentreOfMass, DyadicStep,
+    Error, ExactDrag, ExactQuadraticDrag, GravityY, LinearDrag, Pairs, PerBody, Point, PointMass,
+    Pull, QuadraticDrag, Ratio, SemiImplicitEuler, Spring, Stale, Step, Time, Vec2, World, dec,
+    vec2,
 };
 
 /// The first word of each error: the name of its variant or type.
@@ -37,6 +41,40 @@ fn refused<T: Debug, E: Debug>(result: Result<T, E>) -> String {
         Ok(value) => format!("accepted {value:?}"),
         Err(error) => name(error),
     }
+}
+
+/// The same for a call of which the whole error is known.
+#[track_caller]
+fn exact<T: Debug, E: Debug + PartialEq>(result: Result<T, E>, error: E) -> String {
+    match result {
+        Ok(value) => panic!("accepted {value:?}, not {error:?}"),
+        Err(found) => assert_eq!(found, error),
+    }
+    name(error)
+}
+
+fn not_positive(field: &'static str, value: Ratio) -> Error {
+    Error::NotPositive { field, value }
+}
+
+fn negative(field: &'static str, value: Ratio) -> Error {
+    Error::Negative { field, value }
+}
+
+fn out_of_range(field: &'static str, value: Ratio) -> Error {
+    Error::OutOfRange { field, value }
+}
+
+fn rounds_to_zero(field: &'static str, value: Ratio) -> Error {
+    Error::RoundsToZero { field, value }
+}
+
+fn not_finite(field: &'static str) -> Error {
+    Error::NotFinite { field }
+}
+
+fn ratio(num: i64, den: u64) -> Ratio {
+    Ratio::new(num, den).unwrap()
 }
 
 /// Input and error of each row of the table.
@@ -70,24 +108,25 @@ macro_rules! rows {
 }
 
 rows! {
-    mass_of_nothing, "a mass of zero or less": masses(&[dec!(0), dec!(-1.5)]);
-    mass_beyond, "a mass whose inverse the scalar cannot hold": masses(&[dec!(0.0004), dec!(3000000)]);
+    mass_of_nothing, "a mass of zero or less": masses(&[dec!(0), dec!(-1.5), ratio(-1, 1 << 62)], not_positive);
+    mass_beyond, "a mass whose inverse the scalar cannot hold":
+        masses(&[dec!(0.0004), ratio(1, 1 << 40), dec!(5_000_000), ratio(1 << 62, 1)], out_of_range);
     nan_number, "NaN or infinity as a number": not_finite_numbers();
     odd_fraction, "a fraction over zero, or of more than 62 bits":
         vec![refused(Ratio::new(1, 0)), refused(Ratio::new(i64::MIN, 1))];
     odd_text, "a text that is no plain decimal":
         ["1e9", "", "-", "1.2.3", "NaN"].map(|text| refused(Ratio::parse(text))).into();
     component_beyond, "a component outside of the scalar":
-        vec![refused(vec2::<I16F16>(40_000, 0)), refused(vec2::<I8F24>(0, -128))];
+        components();
     nan_state, "NaN or infinity as position or velocity": not_finite_states();
     rate_of_nothing, "a rate of zero or less":
-        vec![refused(Step::<I16F16>::hz(0)), refused(Step::<f32>::hz(-60))];
+        rates_of_nothing();
     step_beyond, "a step of a quarter second or more, or too short": steps();
-    coefficient_below_zero, "a coefficient below zero": coefficients(dec!(-0.1));
+    coefficient_below_zero, "a coefficient below zero": coefficients(&[dec!(-0.1), ratio(-1, 1 << 62), ratio(-(1 << 62), 1)], negative);
     coefficient_beyond, "a coefficient that is too large, or a softening too small for it": too_large();
     coefficient_lost, "a coefficient or softening that would be zero, but is not": lost();
     length_beyond, "a length or acceleration outside of the scalar": vec![
-        refused(Spring::<I16F16>::new(40_000, 1, 0)),
+        exact(Spring::<I16F16>::new(40_000, 1, 0), out_of_range("rest_length", dec!(40_000))),
         refused(Pull::<I16F16>::new(1, 40_000)),
         refused(GravityY::<I8F24>::new(200)),
     ];
@@ -97,7 +136,7 @@ rows! {
     damping_below_zero, "a damping ratio below zero": exact::damping_below_zero();
     spring_beyond, "a frequency below `2^-20` Hz or from `2^20` Hz, or a damping ratio from `2^10`": exact::beyond();
     sag_beyond, "a sag outside of the scalar, or from its point to there": exact::sags();
-    no_points, "no point masses": vec![refused(CentreOfMass::<I16F16>::new(&[]))];
+    no_points, "no point masses": vec![exact(set::<I16F16>(&[]), Error::Empty { field: "points" })];
     point_of_no_mass, "a point mass of zero or less": point_masses();
     point_not_finite, "a point mass that is NaN or infinite": not_finite_point_masses();
     total_beyond, "a total mass that no fraction of 62 bits, or no body, can hold": totals();
@@ -124,13 +163,8 @@ rows! {
     spin_beyond, "a spin outside of the scalar": turning::spin_beyond();
     nan_turning, "NaN or infinity as state of a body that turns": turning::nan_state();
     spin_drag_below_zero, "a drag against spin below zero": turning::drag_below_zero();
-    clock_that_stands, "a clock that stands still, or no steps a frame": vec![
-        refused(Accumulator::new(0, dec!(0.02), 4)),
-        refused(Accumulator::new(1000, dec!(0), 4)),
-        refused(Accumulator::new(1000, dec!(0.02), 0)),
-    ];
-    clock_without_unit, "a clock and a step without a common unit":
-        vec![refused(Accumulator::new(u32::MAX, Ratio::new((1 << 62) - 1, (1 << 61) - 1).unwrap(), 4))];
+    clock_that_stands, "a clock that stands still, or no steps a frame": clocks_that_stand();
+    clock_without_unit, "a clock and a step without a common unit": clocks_without_unit();
     part_beyond, "a part of a step below 0 or above 1": parts();
     full_world, "a body for a full world, or one that has given `2^32` ids": full();
     stale_id, "a stale id": stale();
@@ -162,9 +196,38 @@ fn point<S: fixstep::Scalar>(mass: impl Into<Ratio>) -> Result<Point<S>, Error> 
     Point::new(Vec2::ZERO, Vec2::ZERO, mass)
 }
 
-fn masses(masses: &[Ratio]) -> Errors {
-    let of = |&mass| refused(point::<I16F16>(mass));
+fn masses(masses: &[Ratio], error: fn(&'static str, Ratio) -> Error) -> Errors {
+    for mass in [dec!(0.0005), dec!(2_000_000), ratio(1, 3)] {
+        assert!(point::<I16F16>(mass).is_ok());
+    }
+    let of = |&mass| exact(point::<I16F16>(mass), error("mass", mass));
     masses.iter().map(of).collect()
+}
+
+fn components() -> Errors {
+    let large = dec!(40_000);
+    assert_eq!(vec2::<f32>(large, 0), Ok(Vec2::new(40_000.0, 0.0)));
+    assert!(vec2::<I8F24>(127, -127).is_ok() && vec2::<I1F31>(dec!(0.5), dec!(-0.999)).is_ok());
+    vec![
+        exact(vec2::<I16F16>(large, 0), out_of_range("x", large)),
+        exact(vec2::<I16F16>(0, large), out_of_range("y", large)),
+        exact(vec2::<I8F24>(128, 0), out_of_range("x", dec!(128))),
+        exact(vec2::<I1F31>(0, 1), out_of_range("y", dec!(1))),
+    ]
+}
+
+fn rates_of_nothing() -> Errors {
+    let rates = [dec!(0), dec!(-60), dec!(-0.5)].map(|rate| {
+        exact(Step::<f32>::hz(rate), not_positive("rate", rate));
+        exact(Step::<I16F16>::hz(rate), not_positive("rate", rate))
+    });
+    let lengths = [dec!(0), ratio(-1, 60)].map(|length| {
+        exact(
+            Step::<I16F16>::from_seconds(length),
+            not_positive("seconds", length),
+        )
+    });
+    [rates.to_vec(), lengths.to_vec()].concat()
 }
 
 fn not_finite_numbers() -> Errors {
@@ -174,95 +237,227 @@ fn not_finite_numbers() -> Errors {
         .into()
 }
 
+/// A call that is refused leaves the state as it was.
 fn not_finite_states() -> Errors {
-    let bad = Vec2::new(0.0, f32::NAN);
-    let far = Vec2::new(f32::INFINITY, 0.0);
     let sound = Point::new(Vec2::new(1.0_f32, 2.0), Vec2::new(3.0, 4.0), 5).unwrap();
-    let mut tried = sound;
-    let errors = vec![
-        refused(Point::new(bad, Vec2::ZERO, 1)),
-        refused(Point::new(Vec2::ZERO, far, 1)),
-        refused(tried.teleport(far)),
-        refused(tried.set_velocity(bad)),
-    ];
-    assert_eq!(tried, sound);
+    let mut errors = Errors::new();
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for vector in [Vec2::new(bad, 9.0), Vec2::new(9.0, bad)] {
+            let mut tried = sound;
+            errors.extend([
+                exact(Point::new(vector, Vec2::ZERO, 1), not_finite("position")),
+                exact(Point::new(Vec2::ZERO, vector, 1), not_finite("velocity")),
+                exact(tried.teleport(vector), not_finite("position")),
+                exact(tried.set_velocity(vector), not_finite("velocity")),
+            ]);
+            assert_eq!(tried, sound);
+        }
+    }
+    for end in [f32::MAX, f32::MIN, f32::MIN_POSITIVE, -0.0] {
+        assert!(Point::new(Vec2::new(end, end), Vec2::new(end, end), 1).is_ok());
+    }
+    let mut moved = sound;
+    moved.teleport(Vec2::new(7.0, 8.0)).unwrap();
+    assert_eq!(
+        (moved.position(), moved.velocity()),
+        (Vec2::new(7.0, 8.0), sound.velocity())
+    );
     errors
 }
 
 fn steps() -> Errors {
-    let instant = Ratio::new(1, 1 << 62).unwrap();
-    vec![
-        refused(Step::<I16F16>::hz(4)),
-        refused(Step::<f32>::from_seconds(dec!(0.25))),
-        refused(Step::<I16F16>::from_seconds(instant)),
-    ]
+    let mut errors = Errors::new();
+    for rate in [dec!(4), dec!(3.999), dec!(1), ratio(1, 1 << 62)] {
+        errors.extend([
+            exact(Step::<I16F16>::hz(rate), out_of_range("rate", rate)),
+            exact(Step::<I8F24>::hz(rate), out_of_range("rate", rate)),
+            exact(Step::<f32>::hz(rate), out_of_range("rate", rate)),
+        ]);
+    }
+    for rate in [ratio(1 << 40, 1), ratio(1 << 62, 1)] {
+        errors.push(exact(Step::<I16F16>::hz(rate), out_of_range("rate", rate)));
+    }
+    for length in [dec!(0.25), dec!(0.26), dec!(60), ratio(1, 1 << 62)] {
+        errors.push(exact(
+            Step::<I16F16>::from_seconds(length),
+            out_of_range("seconds", length),
+        ));
+    }
+    for rate in [dec!(4.001), dec!(60), dec!(59.7275), dec!(100_000)] {
+        assert!(Step::<I16F16>::hz(rate).is_ok() && Step::<f32>::hz(rate).is_ok());
+    }
+    assert!(DyadicStep::<I16F16, { 1 << 24 }, 1>::new().is_ok());
+    assert!(DyadicStep::<f32, { 1 << 24 }, 1>::new().is_ok());
+    errors
 }
 
-fn coefficients(value: Ratio) -> Errors {
+/// Every coefficient of every force.
+fn coefficients(values: &[Ratio], error: fn(&'static str, Ratio) -> Error) -> Errors {
     let mut world = World::<Point<I16F16>, 1>::new();
     let id = world.add(point(1).unwrap()).unwrap();
-    vec![
-        refused(LinearDrag::<I16F16>::new(value)),
-        refused(QuadraticDrag::<I16F16>::new(value)),
-        refused(Pull::<I16F16>::new(value, 1)),
-        refused(Spring::<I16F16>::new(1, value, 0)),
-        refused(Spring::<I16F16>::new(1, 1, value)),
-        refused(Anchor::<I16F16>::new(id, Vec2::ZERO, value, 0)),
-        refused(Anchor::<I16F16>::new(id, Vec2::ZERO, 1, value)),
-        refused(ExactDrag::<I16F16>::new(value)),
-        refused(ExactQuadraticDrag::<I16F16>::new(value)),
-        refused(Ballistic::<I16F16>::new(Vec2::ZERO, value)),
-    ]
+    for sound in [dec!(0), ratio(1, 1 << 31), ratio(1 << 29, 1)] {
+        assert!(LinearDrag::<I16F16>::new(sound).is_ok());
+        assert!(Spring::<I16F16>::new(1, sound, sound).is_ok());
+        assert!(Anchor::<I16F16>::new(id, Vec2::ZERO, sound, sound).is_ok());
+    }
+    let of = |&value: &Ratio| {
+        let drag = error("drag", value);
+        let [stiffness, damping] = ["stiffness", "damping"].map(|field| error(field, value));
+        [
+            exact(LinearDrag::<I16F16>::new(value), drag),
+            exact(QuadraticDrag::<I16F16>::new(value), drag),
+            exact(Pull::<I16F16>::new(value, 1), error("constant", value)),
+            exact(Spring::<I16F16>::new(1, value, 0), stiffness),
+            exact(Spring::<I16F16>::new(1, 1, value), damping),
+            exact(Anchor::<I16F16>::new(id, Vec2::ZERO, value, 0), stiffness),
+            exact(Anchor::<I16F16>::new(id, Vec2::ZERO, 1, value), damping),
+            exact(ExactDrag::<I16F16>::new(value), drag),
+            exact(ExactQuadraticDrag::<I16F16>::new(value), drag),
+            exact(Ballistic::<I16F16>::new(Vec2::ZERO, value), drag),
+        ]
+    };
+    values.iter().flat_map(of).collect()
 }
 
 fn too_large() -> Errors {
-    let mut errors = coefficients(dec!(3000000000));
+    let mut errors = coefficients(&[ratio(1 << 31, 1), ratio(1 << 62, 1)], out_of_range);
     errors.push(refused(Pull::<I16F16>::new(1, dec!(0.0009))));
     errors.push(refused(Pull::<f32>::new(1, dec!(0.0000001))));
     errors
 }
 
 fn lost() -> Errors {
-    let mut errors = coefficients(dec!(0.00000000001));
+    let mut errors = coefficients(&[ratio(1, 1 << 34), ratio(1, 1 << 62)], rounds_to_zero);
     errors.push(refused(Pull::<I16F16>::new(1, dec!(0.000001))));
     errors
 }
 
-fn point_masses() -> Errors {
-    let of = |mass| PointMass {
-        position: Vec2::<I16F16>::ZERO,
+/// What a set of point masses at rest at the origin amounts to.
+fn set<S: fixstep::Scalar>(masses: &[Ratio]) -> Result<CentreOfMass<S>, Error> {
+    let at_rest = |&mass| PointMass {
+        position: Vec2::ZERO,
         velocity: Vec2::ZERO,
         mass,
     };
-    let sets = [[of(dec!(1)), of(dec!(0))], [of(dec!(-2)), of(dec!(3))]];
-    sets.map(|set| refused(CentreOfMass::new(&set))).into()
+    CentreOfMass::new(&masses.iter().map(at_rest).collect::<Vec<_>>())
+}
+
+fn point_masses() -> Errors {
+    let of = |value| {
+        let error = not_positive("mass", value);
+        exact(set::<f32>(&[dec!(1), value, dec!(-7)]), error);
+        exact(set::<I16F16>(&[dec!(1), dec!(2), value]), error);
+        exact(set::<I16F16>(&[value]), error)
+    };
+    [dec!(0), dec!(-0.5), ratio(-1, 1 << 62), ratio(0, 9)]
+        .map(of)
+        .into()
 }
 
 fn not_finite_point_masses() -> Errors {
-    let of = |position, velocity| {
-        let mass = dec!(1);
-        refused(CentreOfMass::new(&[PointMass {
-            position,
-            velocity,
-            mass,
-        }]))
-    };
-    let bad = Vec2::new(f32::NAN, 0.0);
-    vec![of(bad, Vec2::ZERO), of(Vec2::ZERO, bad)]
+    let mut errors = Errors::new();
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for (vector, i) in [Vec2::new(bad, 0.0), Vec2::new(0.0, bad)]
+            .into_iter()
+            .flat_map(|v| [(v, 0), (v, 1), (v, 2)])
+        {
+            let sound = PointMass {
+                position: Vec2::new(1.5, 0.0),
+                velocity: Vec2::ZERO,
+                mass: dec!(1),
+            };
+            let (mut placed, mut moving) = ([sound; 3], [sound; 3]);
+            placed[i].position = vector;
+            moving[i].velocity = vector;
+            errors.push(exact(CentreOfMass::new(&placed), not_finite("position")));
+            errors.push(exact(CentreOfMass::new(&moving), not_finite("velocity")));
+        }
+    }
+    errors
 }
 
+/// The error names the mass that is too much, and a point refuses the total that a body of it would have.
 fn totals() -> Errors {
-    let of = |mass| PointMass {
-        position: Vec2::<I16F16>::ZERO,
-        velocity: Vec2::ZERO,
-        mass,
+    let most = 1 << 62;
+    let mut errors = Errors::new();
+    for masses in [
+        [ratio(most, 1), ratio(1, 1)],
+        [ratio(1, 1), ratio(most, 1)],
+        [ratio(most / 2, 1), ratio(most / 2 + 1, 1)],
+        [ratio(most, 1), ratio(1, 1 << 62)],
+        [ratio(1 << 40, 1), ratio(1, (1 << 61) - 1)],
+    ] {
+        errors.push(exact(set::<f32>(&masses), out_of_range("mass", masses[1])));
+    }
+    assert_eq!(
+        set::<f32>(&[ratio(most / 2, 1); 2]).unwrap().mass,
+        ratio(most, 1)
+    );
+    assert_eq!(
+        set::<f32>(&[ratio(1, 1 << 62); 16]).unwrap().mass,
+        ratio(1, 1 << 58)
+    );
+    for masses in [[ratio(1_500_000, 1); 2], [dec!(0.0002); 2]] {
+        let all = set::<I16F16>(&masses).unwrap();
+        errors.push(exact(all.point(), out_of_range("mass", all.mass)));
+        assert!(set::<f32>(&masses).unwrap().point().is_ok());
+    }
+    errors
+}
+
+fn clocks_that_stand() -> Errors {
+    let step = ratio(1, 60);
+    let mut errors = vec![
+        exact(
+            Accumulator::new(0, step, 4),
+            not_positive("counts_per_second", dec!(0)),
+        ),
+        exact(
+            Accumulator::new(1000, step, 0),
+            not_positive("max_steps", dec!(0)),
+        ),
+    ];
+    for seconds in [dec!(0), ratio(-1, 60), ratio(-1, 1 << 62), ratio(0, 7)] {
+        errors.push(exact(
+            Accumulator::new(1000, seconds, 4),
+            not_positive("seconds", seconds),
+        ));
+    }
+    assert!(Accumulator::new(1, step, 1).is_ok());
+    assert!(Accumulator::new(u32::MAX, step, u32::MAX).is_ok());
+    errors
+}
+
+/// One count is den / (num counts_per_second) of a step, in lowest terms, and must fit 62 bits.
+fn clocks_without_unit() -> Errors {
+    let most = 1_i64 << 62;
+    let refused = [
+        (2, ratio(most, 1)),
+        (2, ratio(most / 2 + 1, 1)),
+        (u32::MAX, ratio(most, 1)),
+        (3, ratio(most / 2, (1 << 60) - 3)),
+        (1_000_000, ratio(most - 1, 1 << 62)),
+    ];
+    for (counts_per_second, seconds) in [
+        (1, ratio(most, 1)),
+        (2, ratio(most / 2, 1)),
+        (1, ratio(most - 1, 1 << 62)),
+        (1 << 31, ratio(most, 1 << 31)),
+        (u32::MAX, ratio(1, 1 << 62)),
+        (1_000_000, dec!(0.000_000_000_000_000_01)),
+    ] {
+        assert!(
+            Accumulator::new(counts_per_second, seconds, 4).is_ok(),
+            "{seconds} s"
+        );
+    }
+    let of = |(counts, seconds)| {
+        exact(
+            Accumulator::new(counts, seconds, 4),
+            out_of_range("seconds", seconds),
+        )
     };
-    let whole = |mass| Ratio::new(mass, 1).unwrap();
-    let heavy = CentreOfMass::new(&[of(whole(2_000_000)), of(whole(2_000_000))]).unwrap();
-    vec![
-        refused(CentreOfMass::new(&[of(whole(1 << 62)), of(whole(1))])),
-        refused(heavy.point()),
-    ]
+    refused.map(of).into()
 }
 
 fn parts() -> Errors {

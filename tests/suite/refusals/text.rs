@@ -112,7 +112,7 @@ fn messages_differ() {
             .add(light)
             .unwrap_err()
             .to_string(),
-        Stale(some_id()).to_string(),
+        Stale(with_a_gap().1).to_string(),
         Error::Empty { field }.to_string(),
         Error::Degenerate { shape: field }.to_string(),
         Error::NotConvex { vertex: 3 }.to_string(),
@@ -124,7 +124,7 @@ fn messages_differ() {
 
 #[test]
 fn a_full_world_is_an_error_with_the_body_inside() {
-    let point = mass(ratio(1, 1)).unwrap();
+    let point = point::<I16F16>(1).unwrap();
     let full = World::<_, 0>::new().add(point).unwrap_err();
     let error: &dyn std::error::Error = &full;
     assert!(!error.to_string().contains('\n'));
