@@ -17,7 +17,7 @@ pub const PRICES: [(Scheme, [f64; 2], [f64; 2]); 2] = [
 pub fn report(title: &str, advice: &Advice) -> String {
     let plan = &advice.question.plan;
     let mut text = format!(
-        "{title}\n{} s at {} Hz by {:?}\n\n{}\n\n{:<16} {:>10} {:>10}\n",
+        "{title}\n{} s at {} Hz by {:?}. {}\n\n{:<16} {:>10} {:>10}\n",
         (1e3 * plan.seconds).round() / 1e3,
         plan.rate.to_f64(),
         plan.method,
@@ -113,10 +113,7 @@ fn answer(advice: &Advice) -> String {
         Some(role) => format!(" The {} saturates first.", role.name()),
         None => String::new(),
     };
-    format!(
-        "Take {}: {error}.{first}\n(docs/adviser.md explains the rest; --help has what to ask.)",
-        name(best.fraction)
-    )
+    format!("Take {}: {error}.{first}", name(best.fraction))
 }
 
 fn conclusion(advice: &Advice) -> String {
