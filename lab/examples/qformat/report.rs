@@ -17,7 +17,7 @@ pub const PRICES: [(Scheme, [f64; 2], [f64; 2]); 2] = [
 pub fn report(title: &str, advice: &Advice) -> String {
     let plan = &advice.question.plan;
     let mut text = format!(
-        "{title}\n{} s at {} Hz by {:?}\n{}\n\n{:<16} {:>10} {:>10}\n",
+        "{title}\n{} s at {} Hz by {:?}\n{}\n{:<16} {:>10} {:>10}\n",
         (1e3 * plan.seconds).round() / 1e3,
         plan.rate.to_f64(),
         plan.method,
