@@ -7,7 +7,7 @@ use fixstep::{
 
 /// What `FIXSTEP` makes of a constant: the nearest of 1/65536.
 fn of_16_bits(number: f64) -> Result<Ratio, Error> {
-    Ratio::new((number * 65536.0).round() as i64, 65536)
+    Ok(Ratio::new((number * 65536.0).round() as i64, 65536)?)
 }
 
 fn main() -> Result<(), Error> {

@@ -28,7 +28,7 @@ impl Body {
 
 /// The number that C wrote as `bits`.
 pub(crate) fn number(bits: i32) -> Result<Ratio, Error> {
-    Ratio::new(bits.into(), 1 << 16)
+    Ok(Ratio::new(bits.into(), 1 << 16)?)
 }
 
 /// The vector of these bits.
